@@ -18,14 +18,18 @@ struct VEnds {
   VEnd low = VEnd::repeated, high = VEnd::repeated;
 };
 
-/// All that shading needs to know of a point on a surface; made once per ray, for the nearest hit.
-struct Intersection {
+/// All that shading needs to know of a point on a surface.
+struct SurfacePoint {
   Point position;
-  Vector error;   // bound on the distance of `position` from the true surface, per axis
   Normal normal;  // geometric, unit, outward: away from the inside of a solid, by the right-hand rule for a triangle
   Normal shading_normal;  // what light sees; the geometric one unless a mesh brings smooth normals and the scene asks
   R2::Point uv;
   VEnds v_ends;
+};
+
+/// Where a ray meets a surface; made once per ray, for the nearest hit.
+struct Intersection : SurfacePoint {
+  Vector error;  // bound on the distance of `position` from the true surface, per axis
 };
 
 /// Where a new ray towards `direction` may start: on the side of the surface that it heads for, outside the

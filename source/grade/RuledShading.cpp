@@ -77,9 +77,10 @@ void RuledShading::ApplyToNormal(ShadingPoint& p) const {
   }
 }
 
-void RuledShading::Shade(std::span<ShadingPoint> points, TraceState& state) const {
-  for (ShadingPoint& p : points) {
-    p.radiance = p.EmittedAndAmbient(world());
+void RuledShading::Shade(std::span<ShadingPoint> points, std::span<R2::Color> radiances, TraceState& state) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ShadingPoint& p = points[i];
+    radiances[i] = p.EmittedAndAmbient(world());
     ApplyToNormal(p);
     if (rules_.always_leaves_glass) p.relative_index = p.material->ir;
     if (rules_.leaving_is_entering) p.relative_index = 1 / p.material->ir;
@@ -88,23 +89,24 @@ void RuledShading::Shade(std::span<ShadingPoint> points, TraceState& state) cons
   for (std::size_t i = 0; i < count; ++i) {
     if (rules_.lights == ShadingRules::Lights::first && i > 0) break;
     if (rules_.lights == ShadingRules::Lights::last && i + 1 < count) continue;
-    AddLight(i, points, state);
+    AddLight(i, points, radiances, state);
   }
 }
 
-void RuledShading::AddLight(std::size_t which, std::span<ShadingPoint> points, TraceState& state) const {
+void RuledShading::AddLight(std::size_t which, std::span<ShadingPoint> points, std::span<R2::Color> radiances,
+                            TraceState& state) const {
   const Light& light = *Lights()[which];
   const auto count = static_cast<std::uint32_t>(light.IsExtended() ? settings_.shadow_samples : 1);
   state.arrived.assign(points.size(), {});
   for (std::size_t i = 0; i < points.size(); ++i) {
-    ShadingPoint& p = points[i];
+    const ShadingPoint& p = points[i];
     if (!p.HasReflectance()) continue;
     const ray::Points random = p.path.index.PointsFor(first_key + which, settings_.sampler, settings_.samples, count);
     for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k)
-      AddSample(which, p, i, random.Get2D(p.path.index.FirstOf(count) + k), 1.0 / count, state);
+      AddSample(which, p, i, random.Get2D(p.path.index.FirstOf(count) + k), 1.0 / count, radiances[i], state);
   }
   tracer_.TraceShadowRays(state);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i].radiance += state.arrived[i];
+  for (std::size_t i = 0; i < points.size(); ++i) radiances[i] += state.arrived[i];
 }
 
 double RuledShading::CosineOf(const ShadingPoint& p, const R3::Vector& L) const {
@@ -133,8 +135,8 @@ R3::Vector RuledShading::ShadowDirection(std::size_t which, const ShadingPoint& 
   return other ? other->to_light : sample.to_light;
 }
 
-void RuledShading::AddSample(std::size_t which, ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
-                             TraceState& state) const {
+void RuledShading::AddSample(std::size_t which, const ShadingPoint& p, std::size_t index, const R2::Point& u,
+                             double weight, R2::Color& radiance, TraceState& state) const {
   const Light& light = *Lights()[which];
   const auto sample = light.Illuminate(p.free_point, u);
   if (!sample) return;
@@ -145,7 +147,7 @@ void RuledShading::AddSample(std::size_t which, ShadingPoint& p, std::size_t ind
   R2::Color reflected = cosine * p.kd * arriving;
   const R2::Color highlight = HighlightOf(p, L) * arriving;
   if (rules_.highlight_in_shadow)
-    p.radiance += highlight;
+    radiance += highlight;
   else
     reflected += highlight;
   ShadowTarget target = sample->Target();

@@ -18,11 +18,12 @@ class RuledShading : public Whitted {
   static bool CanShade(const World& world, const TraceSettings& settings);
 
  private:
-  void Shade(std::span<ShadingPoint> points, TraceState& state) const override;
+  void Shade(std::span<ShadingPoint> points, std::span<R2::Color> radiances, TraceState& state) const override;
   void ApplyToNormal(ShadingPoint& p) const;
-  void AddLight(std::size_t which, std::span<ShadingPoint> points, TraceState& state) const;
-  void AddSample(std::size_t which, ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
-                 TraceState& state) const;
+  void AddLight(std::size_t which, std::span<ShadingPoint> points, std::span<R2::Color> radiances,
+                TraceState& state) const;
+  void AddSample(std::size_t which, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
+                 R2::Color& radiance, TraceState& state) const;
   double CosineOf(const ShadingPoint& p, const R3::Vector& L) const;
   R2::Color HighlightOf(const ShadingPoint& p, const R3::Vector& L) const;
   R3::Vector ShadowDirection(std::size_t which, const ShadingPoint& p, const LightSample& sample) const;

@@ -30,16 +30,18 @@ double Bounded(double light) { return light < most_light ? light : most_light; }
 
 }  // namespace
 
-void GuideTracer::Unshadowed::Shade(std::span<ShadingPoint> points, TraceState&) const {
-  for (ShadingPoint& p : points) {
-    p.radiance = p.EmittedAndAmbient(world());
+void GuideTracer::Unshadowed::Shade(std::span<ShadingPoint> points, std::span<R2::Color> radiances,
+                                    TraceState&) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ShadingPoint& p = points[i];
+    radiances[i] = p.EmittedAndAmbient(world());
     if (Lights().empty() || Lights().size() > most_lights) {
-      p.radiance += p.kd;
+      radiances[i] += p.kd;
       continue;
     }
     for (const Light* light : Lights())
       if (const auto sample = light->Illuminate(p.free_point, {0.5, 0.5}))
-        p.radiance += PhongReflection(p, Unit(sample->to_light), sample->irradiance);
+        radiances[i] += PhongReflection(p, Unit(sample->to_light), sample->irradiance);
   }
 }
 
@@ -55,7 +57,7 @@ void GuideTracer::Trace(std::span<const CameraSample> samples, std::span<Guide> 
     guide = {Bounded(light[i].r), Bounded(light[i].g), Bounded(light[i].b)};
     R2::Color albedo = Background(world_.scene(), samples[i].ray.direction);
     if (state.hits[i]) {
-      const ShadingPoint p = ShadingPointAt(world_, {.ray = samples[i].ray, .index = samples[i].index}, *state.hits[i]);
+      const ShadingPoint p = ShadingPointAt(world_, samples[i].ray, {.index = samples[i].index}, *state.hits[i]);
       albedo = p.Albedo();
       guide[6] = p.N.x, guide[7] = p.N.y, guide[8] = p.N.z;
       guide[9] = 1 / (1 + DistanceFromEye(p));

@@ -31,7 +31,7 @@ class GuideTracer {
     using Whitted::Whitted;
 
    private:
-    void Shade(std::span<ShadingPoint> points, TraceState& state) const override;
+    void Shade(std::span<ShadingPoint> points, std::span<R2::Color> radiances, TraceState& state) const override;
   };
 
   const World& world_;

@@ -191,10 +191,11 @@ void Path::TakeStep(const PathFront& front, std::span<R2::Color> gathered, PathF
   const PathFront::Scattered scattered = SampleBsdfs(front);
   std::vector<Escaping> escaping;
   escaping.reserve(points.size());
+  std::uint32_t rays = 0;
   for (std::size_t lobe = 0; lobe < lobes; ++lobe)
-    Follow(front, scattered, static_cast<Lobe>(lobe), next, escaping, state);
+    rays += Follow(front, scattered, static_cast<Lobe>(lobe), rays, next, escaping, state);
   AddBackgrounds(front, scattered, escaping, gathered, state);
-  tracer_.Complete(next.points, state);
+  tracer_.Complete(next.rays, next.points, state);
   AddEmitted(front, scattered, next, gathered, state);
   if (IsLast(points[0])) next.Clear();
 }
@@ -227,42 +228,42 @@ void Path::SampleBsdf(const ShadingPoint& p, std::uint32_t i, const Bsdf& bsdf, 
   scattered.Add(i, sample->lobe);
 }
 
-void Path::Follow(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe, PathFront& next,
-                  std::vector<Escaping>& escaping, TraceState& state) const {
-  const std::vector<std::uint32_t> from = TraceFrom(front, scattered, lobe, state);
-  for (std::size_t k = 0; k < from.size(); ++k) {
-    const std::uint32_t i = from[k];
+std::uint32_t Path::Follow(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe,
+                           std::uint32_t first, PathFront& next, std::vector<Escaping>& escaping,
+                           TraceState& state) const {
+  const std::vector<std::uint32_t> from = TraceFrom(front, scattered, lobe, first, state);
+  for (std::uint32_t k = 0; k < from.size(); ++k) {
+    const std::uint32_t i = from[k], number = first + k;
     const ShadingPoint& p = front.points[i];
-    const R2::Color throughput = scattered.throughputs[i];
-    const auto path = [&] {
-      return Extend(p, state.batch[k], lobe, throughput, p.path.index.Child(bounce_key));
-    };
-    if (!state.hits[k]) {
-      escaping.push_back({i, scattered.directions[i], throughput, Tracer::RecordOf(path, state)});
-      continue;
+    R3::Ray& ray = state.batch[number];
+    PathState path = Extend(p, lobe, scattered.throughputs[i], p.path.index.Child(bounce_key));
+    Tracer::RecordRay(ray, path, state);
+    if (state.hits[number]) {
+      ShadingPoint& arriving = next.Add(ray, path, *state.hits[number], front.paths[i], i, number);
+      if (tracer_.Arrive(ray, arriving, state)) continue;
+      path = arriving.path;
+      next.RemoveLast();
     }
-    ShadingPoint& arriving = next.Add(path, *state.hits[k], front.paths[i], i);
-    Tracer::RecordRay(arriving.path, state);
-    if (tracer_.Arrive(arriving, state)) continue;
-    const PathState& last = arriving.path;
-    escaping.push_back({i, last.ray.direction, last.throughput, last.record});
-    next.RemoveLast();
+    escaping.push_back({i, ray.direction, path.throughput, path.record});
   }
+  return static_cast<std::uint32_t>(from.size());
 }
 
 std::vector<std::uint32_t> Path::TraceFrom(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe,
-                                           TraceState& state) const {
+                                           std::uint32_t first, TraceState& state) const {
   std::vector<std::uint32_t> from = scattered.by_lobe[static_cast<std::size_t>(lobe)];
   if (from.empty()) return from;
-  state.batch.resize(std::max(state.batch.size(), from.size()));
+  const std::size_t most = first + from.size();
+  state.batch.resize(std::max(state.batch.size(), most)), state.hits.resize(std::max(state.hits.size(), most));
+  const std::span<R3::Ray> rays = std::span(state.batch).subspan(first);
   std::size_t count = 0;
   for (const std::uint32_t i : from) {
     const ShadingPoint& p = front.points[i];
-    new (&state.batch[count]) R3::Ray(SpawnRay(p, scattered.directions[i]));  // made in place
-    if (MayFindLight(p, state.batch[count])) from[count++] = i;
+    new (&rays[count]) R3::Ray(SpawnRay(p, scattered.directions[i]));  // made in place
+    if (MayFindLight(p, rays[count])) from[count++] = i;
   }
-  from.resize(count), state.hits.resize(count);
-  if (count > 0) tracer_.IntersectEach(KindOf(lobe), std::span(state.batch).first(count), state.hits.data(), state);
+  from.resize(count);
+  if (count > 0) tracer_.IntersectEach(KindOf(lobe), rays.first(count), state.hits.data() + first, state);
   return from;
 }
 
@@ -319,7 +320,7 @@ R2::Color Path::Emitted(const Step& step, const ShadingPoint& hit) const {
   // A lamp of a color is found by its samples, and shown in mirrors, which as in mode whitted go no deeper than others.
   if (lights_.EmitsColor()) return step.lobe == Lobe::diffuse || IsLast(step.from) ? R2::Color{} : seen;
   if (IsSpecular(step.lobe)) return seen;
-  const auto light_pdf = lights_.PdfOfHit(step.from, hit.path.ray, hit, world_, lights_at_once_ > 0);
+  const auto light_pdf = lights_.PdfOfHit(step.from, hit, world_, lights_at_once_ > 0);
   if (!light_pdf) return seen;  // found by scattering alone
   return sampled_.WeightOfBsdf(step.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
 }

@@ -103,13 +103,14 @@ class Path : public Integrator {
   ///             the diffuse lobe makes of the first two stands in `scattered`
   void SampleBsdf(const ShadingPoint& p, std::uint32_t i, const Bsdf& bsdf, const std::array<double, 4>& choices,
                   PathFront::Scattered& scattered) const;
-  /// Follows the rays of one lobe: what they hit comes to `next`, and those that hit nothing to `escaping`.
-  void Follow(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe, PathFront& next,
-              std::vector<Escaping>& escaping, TraceState& state) const;
-  /// Traces rays from these points; what each hits goes to state.hits.
-  ///   returns   the numbers of the points whose rays are state.batch: the others' would find nothing
+  /// Follows the rays of one lobe, of state.batch from number `first` on: what they hit comes to `next`, and those that
+  /// hit nothing to `escaping`. Returns how many there are.
+  std::uint32_t Follow(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe, std::uint32_t first,
+                       PathFront& next, std::vector<Escaping>& escaping, TraceState& state) const;
+  /// Traces rays from these points, which go to state.batch from number `first` on; what each hits, to state.hits.
+  ///   returns   the numbers of the points whose rays these are: the others' would find nothing
   std::vector<std::uint32_t> TraceFrom(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe,
-                                       TraceState& state) const;
+                                       std::uint32_t first, TraceState& state) const;
   /// Adds what rays that hit nothing see.
   void AddBackgrounds(const PathFront& front, const PathFront::Scattered& scattered, std::span<const Escaping> escaping,
                       std::span<R2::Color> gathered, TraceState& state) const;

@@ -15,8 +15,8 @@ struct PathFront {
   using Each = LightSamples::Each;
 
   std::vector<ShadingPoint> points;
-  // For each point, the numbers of its camera sample and of the point that its path came from.
-  std::vector<std::uint32_t> paths, from;
+  // For each point, the numbers of its camera sample, of the point that its path came from and of the ray that led there.
+  std::vector<std::uint32_t> paths, from, rays;
   // Made of all points, once they are known.
   std::vector<SampleIndex> indices;
   R1::Columns<R3::Vector> normals;
@@ -33,17 +33,20 @@ struct PathFront {
   std::uint64_t exponent_bits;                              // those that any of them has
   std::vector<std::uint32_t> others_by_phong;               // with a coat, a map, or no whole exponent
 
-  /// Adds a point of which the hit is known, and the path, which `make_path` gives.
-  template <typename MakePath>
-  ShadingPoint& Add(const MakePath& make_path, const WorldHit& hit, std::uint32_t path, std::uint32_t from_point) {
-    paths.push_back(path), from.push_back(from_point);
-    return points.emplace_back(make_path, hit);
+  /// Adds a point of which path and hit are known.
+  ShadingPoint& Add(const R3::Ray& ray, const PathState& path, const WorldHit& hit, std::uint32_t sample,
+                    std::uint32_t from_point, std::uint32_t ray_number) {
+    paths.push_back(sample), from.push_back(from_point), rays.push_back(ray_number);
+    return points.emplace_back(ray, path, hit);
   }
   void Reserve(std::size_t most) {
-    points.reserve(most), paths.reserve(most), from.reserve(most), indices.reserve(most);
+    points.reserve(most), paths.reserve(most), from.reserve(most), rays.reserve(most), indices.reserve(most);
   }
-  void RemoveLast() { points.pop_back(), paths.pop_back(), from.pop_back(); }
-  void Clear() { points.clear(), paths.clear(), from.clear(), indices.clear(), others.clear(), bsdfs.clear(); }
+  void RemoveLast() { points.pop_back(), paths.pop_back(), from.pop_back(), rays.pop_back(); }
+  void Clear() {
+    points.clear(), paths.clear(), from.clear(), rays.clear();
+    indices.clear(), others.clear(), bsdfs.clear();
+  }
   /// Makes the columns, when all points are complete; those for lights of the scene language on demand.
   void MakeColumns(const TraceSettings& settings);
   void MakeColumnsOfHighlights();

@@ -20,16 +20,21 @@
 
 namespace ray {
 
-/// A path as far as it is known: its last ray, and the throughput of what that sees.
+/// A path as far as it is known, but for its last ray.
 struct PathState {
-  R3::Ray ray;
-  R2::Color throughput{1, 1, 1};
-  std::int64_t depth = 0;  // bounces before it
-  SampleIndex index;
+  R2::Color throughput{1, 1, 1};  // of what the ray sees
+  std::int64_t depth = 0;         // bounces before it
+  SampleIndex index{};
   RayKind kind = RayKind::camera;
   bool is_scattered = false;     // by some surface, not only mirrored and refracted
   MediumSets::Number media = 0;  // what it is inside of
   int record = -1;  // where rays are recorded: its number; until it is traced that of the ray it comes from
+};
+
+/// A path that waits to be traced.
+struct PendingPath {
+  R3::Ray ray;
+  PathState path;
 };
 
 /// Shadow rays still to be traced together, and which of the points being shaded reflects how much unless its ray is
@@ -55,7 +60,7 @@ struct TraceState {
   RayCounts rays;
   std::vector<R3::Ray> batch;  // camera rays
   std::vector<std::optional<WorldHit>> hits;
-  std::vector<PathState> pending;
+  std::vector<PendingPath> pending;
   // What rays point to that wait, or that have gone through a surface.
   Arena<R3::Departure> departures;
   Arena<R3::Crossed> crossings;

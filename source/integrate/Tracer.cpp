@@ -18,36 +18,41 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
   state.Begin();
   IntersectCameraRays(accelerator_, samples, state);
   std::vector<ShadingPoint> points;
-  points.reserve(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (state.hits[i]) points.emplace_back(samples[i].ray, samples[i].index, *state.hits[i]);
-    if (state.hits[i] && media_.AreNeeded() && !StartInMedia(points.back(), state)) {
-      points.pop_back();
+  std::vector<std::uint32_t> ray_of;
+  points.reserve(samples.size()), ray_of.reserve(samples.size());
+  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+    if (state.hits[i]) {
+      points.emplace_back(samples[i].ray, PathState{.index = samples[i].index}, *state.hits[i]);
+      ray_of.push_back(i);
+    }
+    if (state.hits[i] && media_.AreNeeded() && !StartInMedia(state.batch[i], points.back(), state)) {
+      points.pop_back(), ray_of.pop_back();
       state.hits[i].reset();
     }
     if (state.recorder) [[unlikely]]
       RecordCameraRay(samples[i], state.hits[i] ? &points.back() : nullptr, state);
   }
-  Complete(points, state);
+  Complete(ray_of, points, state);
   return points;
 }
 
-void Tracer::Complete(std::span<ShadingPoint> points, TraceState& state) const {
+void Tracer::Complete(std::span<const std::uint32_t> ray_of, std::span<ShadingPoint> points, TraceState& state) const {
   if (state.recorder)  // which shows texture coordinates, whether the material has a use for them or not
-    for (ShadingPoint& p : points) p = ShadingPointAt(world_, p.path, p.hit);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = ShadingPointAt(world_, state.batch[ray_of[i]], points[i].path, points[i].hit);
   else
-    CompleteShadingPoints(world_, points);
+    CompleteShadingPoints(world_, state.batch, ray_of, points);
   if (media_.AreNeeded())
     for (ShadingPoint& p : points) SetSides(p, state);
 }
 
-bool Tracer::StartInMedia(ShadingPoint& p, TraceState& state) const {
-  p.path.media = media_.At(p.path.ray, state);
-  return Arrive(p, state);
+bool Tracer::StartInMedia(R3::Ray& ray, ShadingPoint& p, TraceState& state) const {
+  p.path.media = media_.At(ray, state);
+  return Arrive(ray, p, state);
 }
 
 void Tracer::RecordCameraRay(const CameraSample& sample, ShadingPoint* hit, TraceState& state) const {
-  const int record = state.recorder->Begin({.ray = sample.ray, .index = sample.index});
+  const int record = state.recorder->Begin(sample.ray, {.index = sample.index});
   if (hit)
     hit->path.record = record;
   else

@@ -27,11 +27,11 @@ class Tracer {
   ///   returns   the points of those that hit something, in order
   std::vector<ShadingPoint> CameraHits(std::span<const CameraSample> samples, TraceState& state) const;
 
-  std::optional<WorldHit> Intersect(PathState& path, TraceState& state) const {
-    RecordRay(path, state);
-    auto hit = accelerator_.Intersect(path.ray, state.workspace);
+  std::optional<WorldHit> Intersect(R3::Ray& ray, PathState& path, TraceState& state) const {
+    RecordRay(ray, path, state);
+    auto hit = accelerator_.Intersect(ray, state.workspace);
     state.Count(path.kind, 1);
-    Arrive(path, hit, state);
+    Arrive(ray, path, hit, state);
     return hit;
   }
   /// Traces rays of one kind together, which RecordRay has been told of; where each hits goes to `hits`.
@@ -41,36 +41,32 @@ class Tracer {
     state.Count(kind, rays.size());
   }
   /// A path that is found to hit something arrives at the surface that it sees.
-  void Arrive(PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
-    if (media_.AreNeeded() && hit && !media_.IsPlain(path, *hit)) media_.Arrive(path, hit, state);
+  void Arrive(R3::Ray& ray, PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
+    if (media_.AreNeeded() && hit && !media_.IsPlain(ray, path, *hit)) media_.Arrive(ray, path, hit, state);
   }
   /// A point whose path and hit are known becomes that of the surface it sees. Returns false where it sees none.
-  bool Arrive(ShadingPoint& p, TraceState& state) const {
-    if (!media_.AreNeeded() || media_.IsPlain(p.path, p.hit)) return true;
+  bool Arrive(R3::Ray& ray, ShadingPoint& p, TraceState& state) const {
+    if (!media_.AreNeeded() || media_.IsPlain(ray, p.path, p.hit)) return true;
     std::optional<WorldHit> seen = p.hit;
-    media_.Arrive(p.path, seen, state);
+    media_.Arrive(ray, p.path, seen, state);
     if (seen) p.hit = *seen;
     return seen.has_value();
   }
   /// Makes the rest of points whose paths and hits are known.
-  void Complete(std::span<ShadingPoint> points, TraceState& state) const;
+  ///   ray_of   which ray of state.batch led to each point
+  void Complete(std::span<const std::uint32_t> ray_of, std::span<ShadingPoint> points, TraceState& state) const;
   /// The surface where a path has arrived.
-  ShadingPoint PointAt(const PathState& path, const WorldHit& hit, TraceState& state) const {
-    ShadingPoint p = ShadingPointAt(world_, path, hit);
+  ShadingPoint PointAt(const R3::Ray& ray, const PathState& path, const WorldHit& hit, TraceState& state) const {
+    ShadingPoint p = ShadingPointAt(world_, ray, path, hit);
     SetSides(p, state);
     return p;
   }
   void SetSides(ShadingPoint& p, TraceState& state) const {
     if (media_.AreNeeded() && !IsBlack(p.material->kt)) media_.SetSides(p, state);
   }
-  static void RecordRay(PathState& path, TraceState& state) {
+  static void RecordRay(const R3::Ray& ray, PathState& path, TraceState& state) {
     if (state.recorder) [[unlikely]]
-      path.record = state.recorder->Begin(path);
-  }
-  /// What RecordRay makes the record of a path, which `make_path` gives.
-  template <typename MakePath>
-  static int RecordOf(const MakePath& make_path, TraceState& state) {
-    return state.recorder ? state.recorder->Begin(make_path()) : RecordedRay::none;
+      path.record = state.recorder->Begin(ray, path);
   }
   static void RecordHit(const ShadingPoint& p, const R2::Color& contribution, TraceState& state) {
     if (state.recorder) [[unlikely]]
@@ -111,7 +107,7 @@ class Tracer {
                                           .direction = to_light,
                                           .t_min = starts.begin[k],
                                           .t_max = end,
-                                          .time = p.path.ray.time,
+                                          .time = p.time,
                                           .leaving = LeavingTowards(p, starts.facing[k]),
                                           .reaching = light.reaching,
                                           .departure = &p.departure};
@@ -122,7 +118,7 @@ class Tracer {
 
  private:
   /// Takes a camera ray on to the surface that it sees; false where it sees none.
-  bool StartInMedia(ShadingPoint& p, TraceState& state) const;
+  bool StartInMedia(R3::Ray& ray, ShadingPoint& p, TraceState& state) const;
   /// `hit` is null where it hits nothing.
   void RecordCameraRay(const CameraSample& sample, ShadingPoint* hit, TraceState& state) const;
   /// What the next ray is for.

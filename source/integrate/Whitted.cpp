@@ -39,9 +39,9 @@ class LightAround : public LightSource {
 };
 
 /// Paths wait longer than the point that they start from stays.
-void KeepDeparture(const R3::Departure& departure, std::span<PathState> spawned, TraceState& state) {
+void KeepDeparture(const R3::Departure& departure, std::span<PendingPath> spawned, TraceState& state) {
   const R3::Departure& kept = state.departures.Add(departure);
-  for (PathState& path : spawned)
+  for (PendingPath& path : spawned)
     if (path.ray.departure == &departure) path.ray.departure = &kept;
 }
 
@@ -65,16 +65,21 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
 
 void Whitted::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
   std::vector<ShadingPoint> points = tracer_.CameraHits(samples, state);
-  Shade(points, state);
-  auto point = points.begin();
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    radiances[i] = state.hits[i] ? Follow(*point++, state) : Background(world_.scene(), samples[i].ray.direction);
+  std::vector<R2::Color> sent_back(points.size());
+  Shade(points, sent_back, state);
+  for (std::size_t i = 0, point = 0; i < samples.size(); ++i)
+    if (state.hits[i]) {
+      radiances[i] = Follow(points[point], sent_back[point], state);
+      ++point;
+    } else {
+      radiances[i] = Background(world_.scene(), samples[i].ray.direction);
+    }
 }
 
 // The recursion is unrolled onto a stack of paths that carry their throughput: depth first, the mirrored ray before the
 // transmitted one.
-R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
-  R2::Color sum = first.path.throughput * first.radiance;
+R2::Color Whitted::Follow(const ShadingPoint& first, const R2::Color& radiance, TraceState& state) const {
+  R2::Color sum = first.path.throughput * radiance;
   int descendants = 0;
   state.pending.clear();
   const std::size_t departures = state.departures.Count();
@@ -97,40 +102,41 @@ R2::Color Whitted::Follow(const ShadingPoint& first, TraceState& state) const {
   };
   spawn(first);
   while (!state.pending.empty() && !state.IsStopped()) {
-    PathState path = state.pending.back();
+    auto [ray, path] = state.pending.back();
     state.pending.pop_back();
-    const auto hit = tracer_.Intersect(path, state);
+    const auto hit = tracer_.Intersect(ray, path, state);
     if (!hit) {
-      const R2::Color seen = path.throughput * Background(world_.scene(), path.ray.direction);
+      const R2::Color seen = path.throughput * Background(world_.scene(), ray.direction);
       Tracer::RecordMiss(path.record, seen, state);
       sum += seen;
       continue;
     }
-    ShadingPoint p = tracer_.PointAt(path, *hit, state);
-    Shade({&p, 1}, state);
-    sum += p.path.throughput * p.radiance;
+    ShadingPoint p = tracer_.PointAt(ray, path, *hit, state);
+    R2::Color sent_back;
+    Shade({&p, 1}, {&sent_back, 1}, state);
+    sum += p.path.throughput * sent_back;
     spawn(p);
   }
   state.departures.Shrink(departures);
   return sum;
 }
 
-void Whitted::Shade(std::span<ShadingPoint> points, TraceState& state) const {
-  for (ShadingPoint& p : points) {
-    p.radiance = p.EmittedAndAmbient(world_);
-    Tracer::RecordHit(p, p.path.throughput * p.radiance, state);
+void Whitted::Shade(std::span<ShadingPoint> points, std::span<R2::Color> radiances, TraceState& state) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    radiances[i] = points[i].EmittedAndAmbient(world_);
+    Tracer::RecordHit(points[i], points[i].path.throughput * radiances[i], state);
   }
   if (tree_) {
-    AddChosenLights(points, state);
+    AddChosenLights(points, radiances, state);
   } else {
     std::uint64_t which = first_light_key;
-    for (const auto& light : lights_) AddLight(*light, which++, points, state);
+    for (const auto& light : lights_) AddLight(*light, which++, points, radiances, state);
   }
-  if (environment_) AddLight(*environment_, environment_key, points, state);
+  if (environment_) AddLight(*environment_, environment_key, points, radiances, state);
 }
 
-void Whitted::AddLight(const LightSource& light, std::uint64_t which, std::span<ShadingPoint> points,
-                       TraceState& state) const {
+void Whitted::AddLight(const LightSource& light, std::uint64_t which, std::span<const ShadingPoint> points,
+                       std::span<R2::Color> radiances, TraceState& state) const {
   const bool is_extended = light.IsExtended();
   const auto count = static_cast<std::uint32_t>(is_extended ? settings_.shadow_samples : 1);
   state.arrived.assign(points.size(), {});
@@ -147,10 +153,11 @@ void Whitted::AddLight(const LightSource& light, std::uint64_t which, std::span<
       AddSamples(light, p, i, random, p.path.index.FirstOf(count) + k, std::min(count - k, LightSamples::most),
                  1.0 / count, state);
   }
-  AddArrived(points, state);
+  AddArrived(radiances, state);
 }
 
-void Whitted::AddChosenLights(std::span<ShadingPoint> points, TraceState& state) const {
+void Whitted::AddChosenLights(std::span<const ShadingPoint> points, std::span<R2::Color> radiances,
+                              TraceState& state) const {
   const auto count = static_cast<std::uint32_t>(settings_.lights);
   state.arrived.assign(points.size(), {});
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -165,7 +172,7 @@ void Whitted::AddChosenLights(std::span<ShadingPoint> points, TraceState& state)
                 1 / (choice->probability * count), state);
     }
   }
-  AddArrived(points, state);
+  AddArrived(radiances, state);
 }
 
 void Whitted::AddSample(const LightSource& light, const ShadingPoint& p, std::size_t index, const R2::Point& u,
@@ -200,9 +207,9 @@ void Whitted::AddSamples(const LightSource& light, const ShadingPoint& p, std::s
                         samples, starts, {}, p.path.throughput, [&] { return light.Describe(); }, state);
 }
 
-void Whitted::AddArrived(std::span<ShadingPoint> points, TraceState& state) const {
+void Whitted::AddArrived(std::span<R2::Color> radiances, TraceState& state) const {
   tracer_.TraceShadowRays(state);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i].radiance += state.arrived[i];
+  for (std::size_t i = 0; i < radiances.size(); ++i) radiances[i] += state.arrived[i];
 }
 
 void Whitted::Spawn(const ShadingPoint& p, TraceState& state) const {
@@ -211,25 +218,25 @@ void Whitted::Spawn(const ShadingPoint& p, TraceState& state) const {
   const SampleIndex through = p.path.index.Child(transmission_key), back = p.path.index.Child(reflection_key);
   if (const auto throughput = Continued(p.path.throughput * weights.transmitted, through, state))
     if (const auto wi = Refraction(p))
-      state.pending.push_back(Extend(p, SpawnRay(p, *wi), Lobe::transmission, *throughput, through));
+      state.pending.push_back({SpawnRay(p, *wi), Extend(p, Lobe::transmission, *throughput, through)});
   if (const auto throughput = Continued(p.path.throughput * weights.reflected, back, state)) {
     if (p.material->gloss_samples > 1) return SpawnGlossy(p, *throughput, back, state.pending);
     const bool glossy = IsGlossy(*p.material, settings_);
     const Points points(settings_.sampler, back.key.Child(gloss_direction_key), settings_.samples);
     if (const auto wi = SampleReflection(p, glossy, glossy ? points.Get2D(back.sample) : R2::Point{}))
-      state.pending.push_back(Extend(p, SpawnRay(p, *wi), Lobe::mirror, *throughput, back));
+      state.pending.push_back({SpawnRay(p, *wi), Extend(p, Lobe::mirror, *throughput, back)});
   }
 }
 
 /// Several rays share a reflection.
 void Whitted::SpawnGlossy(const ShadingPoint& p, const R2::Color& throughput, const SampleIndex& back,
-                          std::vector<PathState>& pending) const {
+                          std::vector<PendingPath>& pending) const {
   const auto count = static_cast<std::uint32_t>(p.material->gloss_samples);
   const Points points = back.PointsFor(gloss_direction_key, settings_.sampler, settings_.samples, count);
   const SampleIndex each = back.Child(gloss_key);
   for (std::uint32_t k = 0; k < count; ++k)
     if (const auto wi = SampleReflection(p, true, points.Get2D(back.FirstOf(count) + k)))
-      pending.push_back(Extend(p, SpawnRay(p, *wi), Lobe::mirror, throughput / count, each.Child(k)));
+      pending.push_back({SpawnRay(p, *wi), Extend(p, Lobe::mirror, throughput / count, each.Child(k))});
 }
 
 inline std::optional<R2::Color> Whitted::Continued(const R2::Color& throughput, const SampleIndex& index,

@@ -30,23 +30,25 @@ class Whitted : public Integrator {
   std::span<const Light* const> Lights() const { return scene_lights_; }
 
  private:
-  R2::Color Follow(const ShadingPoint& first, TraceState& state) const;
-  /// Sets each point's radiance to what its surface emits and reflects of the lights.
-  virtual void Shade(std::span<ShadingPoint> points, TraceState& state) const;
+  /// What comes back along a path of which the first point, and what that sends back, is known.
+  R2::Color Follow(const ShadingPoint& first, const R2::Color& radiance, TraceState& state) const;
+  /// Radiances back along the rays become what each point's surface emits and reflects of the lights.
+  virtual void Shade(std::span<ShadingPoint> points, std::span<R2::Color> radiances, TraceState& state) const;
   /// One light's share of that; `which` is its key beneath a surface.
-  void AddLight(const LightSource& light, std::uint64_t which, std::span<ShadingPoint> points, TraceState& state) const;
+  void AddLight(const LightSource& light, std::uint64_t which, std::span<const ShadingPoint> points,
+                std::span<R2::Color> radiances, TraceState& state) const;
   /// The share of a few lights, chosen by importance sampling, that stand for all.
-  void AddChosenLights(std::span<ShadingPoint> points, TraceState& state) const;
+  void AddChosenLights(std::span<const ShadingPoint> points, std::span<R2::Color> radiances, TraceState& state) const;
   void AddSample(const LightSource& light, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
                  TraceState& state) const;
   /// AddSample for the numbers of `random` from `first` on, at most LightSamples::most of them.
   void AddSamples(const LightSource& light, const ShadingPoint& p, std::size_t index, const Points& random,
                   std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const;
-  void AddArrived(std::span<ShadingPoint> points, TraceState& state) const;
+  void AddArrived(std::span<R2::Color> radiances, TraceState& state) const;
   /// The rays that a surface reflects and transmits.
   void Spawn(const ShadingPoint& p, TraceState& state) const;
   void SpawnGlossy(const ShadingPoint& p, const R2::Color& throughput, const SampleIndex& back,
-                   std::vector<PathState>& pending) const;
+                   std::vector<PendingPath>& pending) const;
   /// The throughput of a child ray, if it is followed: not if it is faint and does not survive.
   std::optional<R2::Color> Continued(const R2::Color& throughput, const SampleIndex& index, TraceState& state) const;
 

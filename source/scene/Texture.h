@@ -18,7 +18,7 @@ struct TexturePlace {
 
 /// The place of a surface on an image that lies `scale` times over its 0..1 x 0..1. An image that repeats along v ends
 /// nowhere; one that repeats along u alone does not meet its own other side at a pole.
-inline TexturePlace PlaceOnTexture(const R3::Intersection& surface, const R2::Vector& scale) {
+inline TexturePlace PlaceOnTexture(const R3::SurfacePoint& surface, const R2::Vector& scale) {
   if (scale.x == 1 && scale.y == 1) return {surface.uv, surface.v_ends};
   const auto scaled = [&](R3::VEnd end) {
     return scale.y != 1 ? R3::VEnd::repeated : end == R3::VEnd::pole ? R3::VEnd::rim : end;
@@ -34,7 +34,7 @@ struct Texture {
   /// Bilinear between texel centers: texel k of n has its center at (k + 0.5) / n. Finite for any finite uv.
   R2::Color At(const R2::Point& uv, const R3::VEnds& ends = {}) const;
   /// At a place of a surface over whose 0..1 x 0..1 the image lies `scale` times.
-  R2::Color On(const R3::Intersection& surface, const R2::Vector& scale) const {
+  R2::Color On(const R3::SurfacePoint& surface, const R2::Vector& scale) const {
     const TexturePlace place = PlaceOnTexture(surface, scale);
     return At(place.uv, place.v_ends);
   }

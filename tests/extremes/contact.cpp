@@ -73,7 +73,7 @@ bool StaysInside(RoomStage& r, Draw& draw, bool at_seam, std::uint64_t& rays) {
   constexpr int bounces = 8;
   R3::Ray ray{.origin = r.room.Inside()};
   ray.direction = Unit((at_seam ? r.room.OnSeam() : r.room.OnWall()) - ray.origin);
-  ShadingPoint p({}, {});
+  ShadingPoint p({}, {}, {});
   for (int bounce = 0; bounce <= bounces; ++bounce) {
     ++rays;
     const auto hit = r.accelerator->Intersect(ray, r.workspace);
@@ -81,7 +81,7 @@ bool StaysInside(RoomStage& r, Draw& draw, bool at_seam, std::uint64_t& rays) {
       std::printf("%s: bounce %d %s\n%s", r.what.c_str(), bounce, oracle::Hex(ray).c_str(), r.room.text.c_str());
       return false;
     }
-    p = ShadingPointAt(r.stage.world, {.ray = ray, .index = {}}, *hit);
+    p = ShadingPointAt(r.stage.world, ray, {}, *hit);
     const R3::Vector mirrored = ray.direction - 2 * Dot(p.N, ray.direction) * p.N;
     R3::Vector aimed = Unit(r.room.OnSeam() - p.free_point);
     if (!(Dot(aimed, p.N) > 0) || r.room.IsAlongWall(p.free_point, aimed)) aimed = Scattered(draw, p);
@@ -129,7 +129,7 @@ TEST(Extremes, M2_NoShadowRayInAConvexRoomIsBlocked) {
       ray.direction = Unit((i % 3 > 0 ? r.room.OnSeam() : r.room.OnWall()) - ray.origin);
       const auto hit = r.accelerator->Intersect(ray, r.workspace);
       ASSERT_TRUE(hit) << r.what;
-      const ShadingPoint p = ShadingPointAt(r.stage.world, {.ray = ray, .index = {}}, *hit);
+      const ShadingPoint p = ShadingPointAt(r.stage.world, ray, {}, *hit);
       const R3::Point lamp = i % 4 == 0 ? r.room.Inside() : i % 4 == 1 ? r.room.OnWall() : r.room.OnSeam();
       const R3::Vector to_light = lamp - p.free_point;
       if (!(Dot(p.N, to_light) > 0) || r.room.IsAlongWall(p.free_point, to_light)) continue;

@@ -229,18 +229,19 @@ std::optional<R3::Ray> Refracted(const project::Stage& stage, const R3::Ray& fro
   const ray::Tracer tracer(stage.world, *accelerator, true);
   ray::TraceState state;
   state.Begin();
-  ray::PathState path{.ray = from, .index = {}};
+  R3::Ray ray = from;
   std::vector<ray::CameraSample> camera(1);
   camera[0].ray = from;
   std::vector<ray::ShadingPoint> points = tracer.CameraHits(camera, state);
   for (int i = 0; i < 100; ++i) {
-    if (points.empty()) return path.ray;
+    if (points.empty()) return ray;
     const auto direction = ray::Refraction(points[0]);
     if (!direction) return {};
-    path = ray::Extend(points[0], ray::SpawnRay(points[0], *direction), Lobe::transmission, {1, 1, 1}, {});
-    const auto hit = tracer.Intersect(path, state);
-    if (!hit) return path.ray;
-    std::vector<ray::ShadingPoint> next{tracer.PointAt(path, *hit, state)};
+    ray = ray::SpawnRay(points[0], *direction);
+    ray::PathState path = ray::Extend(points[0], Lobe::transmission, {1, 1, 1}, {});
+    const auto hit = tracer.Intersect(ray, path, state);
+    if (!hit) return ray;
+    std::vector<ray::ShadingPoint> next{tracer.PointAt(ray, path, *hit, state)};
     points.swap(next);
   }
   return {};

@@ -4,12 +4,12 @@
 
 namespace ray {
 
-int RayRecorder::Begin(const PathState& ray) {
-  RecordedRay begun{.kind = ray.kind,
-                    .parent = ray.record,
-                    .depth = static_cast<int>(ray.depth),
-                    .ray = ray.ray,
-                    .throughput = ray.throughput};
+int RayRecorder::Begin(const R3::Ray& ray, const PathState& path) {
+  RecordedRay begun{.kind = path.kind,
+                    .parent = path.record,
+                    .depth = static_cast<int>(path.depth),
+                    .ray = ray,
+                    .throughput = path.throughput};
   ForgetDeparture(begun.ray);
   return Keep(std::move(begun));
 }

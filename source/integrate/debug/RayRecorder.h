@@ -21,7 +21,7 @@ struct RecordedRay {
   bool is_inside = false;  // whether it starts on the inside of the surface it comes from
   std::string towards{};   // the light of a shadow ray, in words
   std::optional<WorldHit> hit{};         // where it ends; the nearest thing in the way of a shadow ray
-  std::optional<R3::Intersection> at{};  // the same, in the world
+  std::optional<R3::SurfacePoint> at{};  // the same, in the world
   // To its sample, throughput included, besides what its children bring: all of them sum to the sample, unless that is
   // on an outline, or shows a cost in place of light.
   R2::Color contribution{};
@@ -40,7 +40,7 @@ struct RecordedRay {
 class RayRecorder {
  public:
   /// A ray begins that comes from the end of ray `record`, if any; its own number.
-  int Begin(const PathState& ray);
+  int Begin(const R3::Ray& ray, const PathState& path);
   /// It ends on a surface, or nowhere; `contribution` as above.
   void Hits(const ShadingPoint& surface, const R2::Color& contribution);
   void Misses(int number, const R2::Color& contribution) { (*this)[number].contribution = contribution; }

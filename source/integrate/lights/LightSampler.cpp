@@ -67,11 +67,11 @@ double LightSampler::PdfOfEnvironment(const ShadingPoint& from, const Environmen
   return choosing ? pdf * ProbabilityOf(from, Count() - 1) : pdf;
 }
 
-std::optional<double> LightSampler::PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit,
-                                             const World& world, bool choosing) const {
+std::optional<double> LightSampler::PdfOfHit(const ShadingPoint& from, const ShadingPoint& hit, const World& world,
+                                             bool choosing) const {
   const auto found = light_of_primitive_.find(world.PrimitiveId(hit.hit));
   if (found == light_of_primitive_.end()) return {};
-  const double pdf = (*this)[found->second].Pdf(from, ray, hit);
+  const double pdf = (*this)[found->second].Pdf(from, hit);
   return choosing ? pdf * ProbabilityOf(from, found->second) : pdf;
 }
 

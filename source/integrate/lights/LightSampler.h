@@ -46,8 +46,8 @@ class LightSampler {
   /// The pdf with which a point would have chosen a direction to the environment, where this is seen, or to the light
   /// that a ray from it hit, nothing for what is no light. `choosing`: by SampleOne, else by Sample.
   double PdfOfEnvironment(const ShadingPoint& from, const Environment::Seen& seen, bool choosing) const;
-  std::optional<double> PdfOfHit(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit,
-                                 const World& world, bool choosing) const;
+  std::optional<double> PdfOfHit(const ShadingPoint& from, const ShadingPoint& hit, const World& world,
+                                 bool choosing) const;
 
  private:
   /// Whether it chooses uniformly among lights, and from the environment.

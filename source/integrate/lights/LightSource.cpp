@@ -45,14 +45,14 @@ class RadiantTriangle : public LightSource {
   explicit RadiantTriangle(const EmissiveTriangle& triangle) : triangle_(triangle) {}
 
   std::optional<LightSample> Sample(const ShadingPoint& p, const R2::Point& u) const override {
-    const R3::Vector towards = triangle_.PointTowards(p.free_point, u, p.path.ray.time) - p.free_point;
+    const R3::Vector towards = triangle_.PointTowards(p.free_point, u, p.time) - p.free_point;
     const double pdf = PdfOf(towards, 1);
     if (!(pdf > 0)) return {};
     return LightSample{triangle_.RadianceAlong(towards) / pdf, towards, false, pdf, 0, triangle_.primitive};
   }
   bool HasPdf() const override { return true; }
-  double Pdf(const ShadingPoint&, const R3::Ray& ray, const ShadingPoint& hit) const override {
-    return PdfOf(ray.direction, hit.hit.t);
+  double Pdf(const ShadingPoint&, const ShadingPoint& hit) const override {
+    return PdfOf(hit.direction, hit.hit.t);
   }
   std::int64_t Primitive() const override { return triangle_.primitive; }
   std::int64_t Reached() const override { return triangle_.primitive; }
@@ -73,7 +73,7 @@ class RadiantShape : public LightSource {
   explicit RadiantShape(const EmissiveShape& shape) : shape_(shape) {}
 
   std::optional<LightSample> Sample(const ShadingPoint& p, const R2::Point& u) const override {
-    const auto drawn = shape_.SampleTowards(p.free_point, u, p.path.ray.time);
+    const auto drawn = shape_.SampleTowards(p.free_point, u, p.time);
     if (!drawn) return {};
     return LightSample{drawn->radiance / drawn->pdf, drawn->towards, false, drawn->pdf, 0, Reached()};
   }
@@ -83,8 +83,8 @@ class RadiantShape : public LightSource {
     return true;
   }
   bool HasPdf() const override { return true; }
-  double Pdf(const ShadingPoint& from, const R3::Ray& ray, const ShadingPoint& hit) const override {
-    return shape_.Pdf(from.free_point, hit.hit.t * ray.direction, hit.at.normal, ray.time);
+  double Pdf(const ShadingPoint& from, const ShadingPoint& hit) const override {
+    return shape_.Pdf(from.free_point, hit.hit.t * hit.direction, hit.at.normal, hit.time);
   }
   std::int64_t Primitive() const override { return shape_.Primitive(); }
   std::int64_t Reached() const override { return shape_.Reached(); }
@@ -105,7 +105,7 @@ class LampOfTriangles : public LightSource {
 
   std::optional<LightSample> Sample(const ShadingPoint& p, const R2::Point& u) const override {
     if (lamp_.Holds(world_.PrimitiveId(p.hit))) return {};
-    return lamp_.SampleTowards(p.free_point, u, p.path.ray.time);
+    return lamp_.SampleTowards(p.free_point, u, p.time);
   }
   LightBound Bound() const override { return lamp_.Bound(); }
   std::string Describe() const override { return lamp_.Describe(); }
@@ -121,7 +121,7 @@ class LampOfShape : public LightSource {
 
   std::optional<LightSample> Sample(const ShadingPoint& p, const R2::Point& u) const override {
     if (shape_.Primitive() == world_.PrimitiveId(p.hit)) return {};
-    auto drawn = shape_.SampleTowards(p.free_point, u, p.path.ray.time);
+    auto drawn = shape_.SampleTowards(p.free_point, u, p.time);
     if (!drawn && !shape_.DrawsInSight()) drawn = SampleAgain(p, u);
     if (!drawn) return {};
     return LightSample{.irradiance = drawn->radiance, .to_light = drawn->towards, .reaching = shape_.Reached()};
@@ -138,7 +138,7 @@ class LampOfShape : public LightSource {
     const Points again(SamplerKind::random, key.Child(std::bit_cast<std::uint64_t>(u.y)), most_attempts);
     std::optional<EmissiveShape::Sample> drawn;
     for (std::uint32_t k = 0; k < most_attempts && !drawn; ++k)
-      drawn = shape_.SampleTowards(p.free_point, again.Get2D(k), p.path.ray.time);
+      drawn = shape_.SampleTowards(p.free_point, again.Get2D(k), p.time);
     return drawn;
   }
 

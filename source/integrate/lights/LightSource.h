@@ -30,7 +30,7 @@ class LightSource {
   virtual bool HasPdf() const { return false; }
   /// The pdf with which Sample, at `from`, gives the direction in which a ray from there has hit the light, of a light
   /// that is a primitive.
-  virtual double Pdf(const ShadingPoint& /*from*/, const R3::Ray&, const ShadingPoint& /*hit*/) const { return 0; }
+  virtual double Pdf(const ShadingPoint& /*from*/, const ShadingPoint& /*hit*/) const { return 0; }
   /// The primitive that it is to those rays; -1 for none.
   virtual std::int64_t Primitive() const { return -1; }
   /// R3::Ray::reaching of rays to samples that have a pdf.

@@ -42,55 +42,56 @@ MediumSets::Number Media::Find(const R3::Ray& ray, TraceState& state) const {
   const Counts so_far = state.workspace.counts;
   std::vector<std::uint32_t> undecided = Around(ray.origin);
   MediumSets::Number media = 0;
-  PathState path{.ray = ray, .index = {}};
+  R3::Ray along = ray;
   for (int passed = 0; !undecided.empty() && passed < most_passed; ++passed) {
-    const auto hit = accelerator_.Intersect(path.ray, state.workspace);
+    const auto hit = accelerator_.Intersect(along, state.workspace);
     if (!hit) break;
     const auto found = std::ranges::find(undecided, hit->instance);
     if (found != undecided.end()) {
-      if (Dot(world_.At(path.ray, *hit).normal, ray.direction) > 0) media = state.media.With(media, *found, world_);
+      if (Dot(world_.At(along, *hit).normal, ray.direction) > 0) media = state.media.With(media, *found, world_);
       undecided.erase(found);
     }
-    path.ray = Beyond(path, *hit, state);
+    along = Beyond(along, {}, *hit, state);
   }
   state.workspace.counts = so_far;
   return media;
 }
 
-void Media::Arrive(PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
+void Media::Arrive(R3::Ray& ray, PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
   for (int passed = 0; hit; ++passed) {
     if (path.media != 0 && are_absorbing_) {
-      const double distance = (hit->t - std::max(path.ray.t_min, 0.0)) * Length(path.ray.direction);
+      const double distance = (hit->t - std::max(ray.t_min, 0.0)) * Length(ray.direction);
       path.throughput = LeftOf(path.throughput, path.media, distance, state);
     }
-    if (IsFirstOrLast(path, *hit)) return;
+    if (IsFirstOrLast(ray, path, *hit)) return;
     MediumSets::Number beyond = path.media;
-    if (passed == most_passed || !Passes(path, *hit, state, beyond)) return;
-    path.ray = Beyond(path, *hit, state);
+    if (passed == most_passed || !Passes(ray, path, *hit, state, beyond)) return;
+    ray = Beyond(ray, path, *hit, state);
     path.media = beyond;
-    hit = accelerator_.Intersect(path.ray, state.workspace);
+    hit = accelerator_.Intersect(ray, state.workspace);
     state.Count(path.kind, 1);
   }
 }
 
 /// Whether the surface is not there for the path, and what it is inside of behind it.
-bool Media::Passes(const PathState& path, const WorldHit& hit, TraceState& state, MediumSets::Number& beyond) const {
+bool Media::Passes(const R3::Ray& ray, const PathState& path, const WorldHit& hit, TraceState& state,
+                   MediumSets::Number& beyond) const {
   const Instance& instance = world_.Instances()[hit.instance];
   if (!instance.is_medium || !instance.IsClear()) return false;
-  const bool leaves = Dot(world_.At(path.ray, hit).normal, path.ray.direction) > 0;
+  const bool leaves = Dot(world_.At(ray, hit).normal, ray.direction) > 0;
   // Where triangles of a mesh meet, a path may find that it has already gone in or out; elsewhere it has lost count, by
   // an edge that rounding let it miss, and believes what it sees.
-  if (leaves != state.media.Has(path.media, hit.instance, world_)) return IsNearStart(path.ray, hit.t);
+  if (leaves != state.media.Has(path.media, hit.instance, world_)) return IsNearStart(ray, hit.t);
   beyond = leaves ? state.media.Without(path.media, hit.instance, world_)
                   : state.media.With(path.media, hit.instance, world_);
   return state.media.At(beyond, world_).material == state.media.At(path.media, world_).material;
 }
 
 /// Straight on behind a surface.
-R3::Ray Media::Beyond(const PathState& path, const WorldHit& hit, TraceState& state) const {
-  ShadingPoint p = ShadingPointAt(world_, path, hit);
+R3::Ray Media::Beyond(const R3::Ray& ray, const PathState& path, const WorldHit& hit, TraceState& state) const {
+  ShadingPoint p = ShadingPointAt(world_, ray, path, hit);
   SetSides(p, state);
-  return SpawnRay(p, path.ray.direction);
+  return SpawnRay(p, ray.direction);
 }
 
 void Media::SetSides(ShadingPoint& p, TraceState& state) const {

@@ -31,12 +31,12 @@ class Media {
   MediumSets::Number At(const R3::Ray& ray, TraceState& state) const;
   /// Whether Arrive does nothing to a path: it was not inside of several solids or one that absorbs, and goes into the
   /// first or out of the last.
-  bool IsPlain(const PathState& path, const WorldHit& hit) const {
-    return (path.media == 0 || !are_absorbing_) && IsFirstOrLast(path, hit);
+  bool IsPlain(const R3::Ray& ray, const PathState& path, const WorldHit& hit) const {
+    return (path.media == 0 || !are_absorbing_) && IsFirstOrLast(ray, path, hit);
   }
   /// Takes a path that hits something on to the surface that it sees, past surfaces that are not there for it. The
   /// path's throughput loses what is absorbed on the way.
-  void Arrive(PathState& path, std::optional<WorldHit>& hit, TraceState& state) const;
+  void Arrive(R3::Ray& ray, PathState& path, std::optional<WorldHit>& hit, TraceState& state) const;
   /// Sets what a point's surface separates.
   void SetSides(ShadingPoint& p, TraceState& state) const;
   /// What is left of light after a distance inside of a set of solids.
@@ -44,12 +44,13 @@ class Media {
 
  private:
   /// Whether the path goes into the first solid or out of the last, whose surface is always there.
-  static bool IsFirstOrLast(const PathState& path, const WorldHit& hit) {
-    return MediumSets::IsWithin(path.media, hit.instance) && !IsNearStart(path.ray, hit.t);
+  static bool IsFirstOrLast(const R3::Ray& ray, const PathState& path, const WorldHit& hit) {
+    return MediumSets::IsWithin(path.media, hit.instance) && !IsNearStart(ray, hit.t);
   }
   MediumSets::Number Find(const R3::Ray& ray, TraceState& state) const;
-  bool Passes(const PathState& path, const WorldHit& hit, TraceState& state, MediumSets::Number& beyond) const;
-  R3::Ray Beyond(const PathState& path, const WorldHit& hit, TraceState& state) const;
+  bool Passes(const R3::Ray& ray, const PathState& path, const WorldHit& hit, TraceState& state,
+              MediumSets::Number& beyond) const;
+  R3::Ray Beyond(const R3::Ray& ray, const PathState& path, const WorldHit& hit, TraceState& state) const;
   std::vector<std::uint32_t> Around(const R3::Point& p) const;
 
   const World& world_;

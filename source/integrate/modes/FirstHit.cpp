@@ -10,14 +10,14 @@ void FirstHit::Li(std::span<const CameraSample> samples, std::span<R2::Color> ra
 }
 
 R2::Color FirstHit::SeenBy(const CameraSample& sample, const std::optional<WorldHit>& hit, TraceState& state) const {
-  PathState path{.ray = sample.ray, .index = sample.index};
-  if (state.recorder) path.record = state.recorder->Begin(path);
+  PathState path{.index = sample.index};
+  if (state.recorder) path.record = state.recorder->Begin(sample.ray, path);
   if (!hit) {
     const R2::Color seen = Missed(sample.ray.direction);
     Tracer::RecordMiss(path.record, seen, state);
     return seen;
   }
-  const ShadingPoint p = ShadingPointAt(world_, path, *hit);
+  const ShadingPoint p = ShadingPointAt(world_, sample.ray, path, *hit);
   const R2::Color seen = Seen(p);
   Tracer::RecordHit(p, seen, state);
   return seen;

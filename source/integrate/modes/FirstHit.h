@@ -26,7 +26,7 @@ class FirstHit : public Integrator {
 };
 
 /// How far away the surface at a point is from the eye.
-inline double DistanceFromEye(const ShadingPoint& p) { return p.hit.t * Length(p.path.ray.direction); }
+inline double DistanceFromEye(const ShadingPoint& p) { return p.hit.t * Length(p.direction); }
 
 /// The `make` of an IntegratorKind that needs no settings.
 template <typename Kind>

@@ -15,19 +15,6 @@ R3::Vector Mirrored(const ShadingPoint& p) {
 
 }  // namespace
 
-RayKind KindOf(Lobe lobe) {
-  switch (lobe) {
-    case Lobe::diffuse:
-      return RayKind::diffuse;
-    case Lobe::glossy:
-    case Lobe::mirror:
-      return RayKind::reflection;
-    case Lobe::transmission:
-      return RayKind::transmission;
-  }
-  return {};
-}
-
 double FresnelReflectance(double cosine, double eta) {
   const double sine_squared = eta * eta * std::max(0.0, 1 - cosine * cosine);
   if (!(sine_squared < 1)) return 1;
@@ -127,18 +114,6 @@ std::optional<BsdfSample> Bsdf::Scatter(const R3::Vector& wi, Lobe lobe) const {
   const auto [value, pdf] = EvalWithPdf(wi);
   if (!(pdf > 0) || !(Dot(p_.Outward(), wi) > 0)) return {};
   return BsdfSample{wi, value, pdf, lobe};
-}
-
-PathState Extend(const ShadingPoint& p, const R3::Ray& ray, Lobe lobe, const R2::Color& throughput,
-                 const SampleIndex& index) {
-  return {.ray = ray,
-          .throughput = throughput,
-          .depth = p.path.depth + 1,
-          .index = index,
-          .kind = KindOf(lobe),
-          .is_scattered = p.path.is_scattered || !IsSpecular(lobe),
-          .media = lobe == Lobe::transmission ? p.media_beyond : p.path.media,
-          .record = p.path.record};
 }
 
 }  // namespace ray

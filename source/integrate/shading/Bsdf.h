@@ -117,7 +117,18 @@ enum class Lobe { diffuse, glossy, mirror, transmission };
 inline constexpr std::size_t lobes = 4;
 constexpr bool IsSpecular(Lobe lobe) { return lobe == Lobe::mirror || lobe == Lobe::transmission; }
 /// The rays that it sends on.
-RayKind KindOf(Lobe lobe);
+constexpr RayKind KindOf(Lobe lobe) {
+  switch (lobe) {
+    case Lobe::diffuse:
+      return RayKind::diffuse;
+    case Lobe::glossy:
+    case Lobe::mirror:
+      return RayKind::reflection;
+    case Lobe::transmission:
+      return RayKind::transmission;
+  }
+  return {};
+}
 
 /// A direction that light may come from. value / pdf estimates the reflectance.
 struct BsdfSample {
@@ -180,7 +191,14 @@ class Bsdf {
 };
 
 /// A path extended from p along a ray that SpawnRay has made, in a direction that the lobe has given.
-PathState Extend(const ShadingPoint& p, const R3::Ray& ray, Lobe lobe, const R2::Color& throughput,
-                 const SampleIndex& index);
+inline PathState Extend(const ShadingPoint& p, Lobe lobe, const R2::Color& throughput, const SampleIndex& index) {
+  return {.throughput = throughput,
+          .depth = p.path.depth + 1,
+          .index = index,
+          .kind = KindOf(lobe),
+          .is_scattered = p.path.is_scattered || !IsSpecular(lobe),
+          .media = lobe == Lobe::transmission ? p.media_beyond : p.path.media,
+          .record = p.path.record};
+}
 
 }  // namespace ray

@@ -5,7 +5,7 @@ namespace {
 
 /// The slope of the texture's luminance along u and v: of its lookup, smoothed over one texel along either, since the
 /// slope of bilinear blends alone jumps at the center of every texel, and shading with it.
-R2::Vector Slope(const Texture& texture, const R3::Intersection& surface, const R2::Vector& scale) {
+R2::Vector Slope(const Texture& texture, const R3::SurfacePoint& surface, const R2::Vector& scale) {
   const TexturePlace at = PlaceOnTexture(surface, scale);
   const double u = 0.5 / texture.image.Width(), v = 0.5 / texture.image.Height();
   const auto height = [&](double du, double dv) {

@@ -42,10 +42,12 @@ template <typename SurfaceOf, typename ExponentOf>
 }
 
 R3_VECTORIZED
-void ReflectOne(const PhongSurface& surface, bool has_highlight, std::uint64_t exponent, double weight,
-                LightSamples& samples) {
-  const PhongSurface s = surface;
-  ReflectEach([&](std::uint32_t) { return s; }, [&](std::uint32_t) { return exponent; }, exponent, has_highlight,
+void ReflectOfOne(const ShadingPoint& p, double weight, LightSamples& samples) {
+  const Material& m = *p.material;
+  const bool has_highlight = !IsBlack(m.ks);
+  const std::uint64_t exponent = has_highlight ? static_cast<std::uint64_t>(m.n) : 0;
+  const PhongSurface surface{p.N, p.wo, p.kd, m.ks, p.Shown()};
+  ReflectEach([&](std::uint32_t) { return surface; }, [&](std::uint32_t) { return exponent; }, exponent, has_highlight,
               weight, samples);
 }
 
@@ -62,15 +64,9 @@ void ReflectByPhong(const PhongColumns& surfaces, LightSamples& samples) {
 }
 
 void ReflectByPhong(const ShadingPoint& p, double weight, LightSamples& samples) {
-  const Material& m = *p.material;
-  if (IsInPhongColumns(m)) {
-    const bool has_highlight = !IsBlack(m.ks);
-    const std::uint64_t exponent = has_highlight ? static_cast<std::uint64_t>(m.n) : 0;
-    ReflectOne({p.N, p.wo, p.kd, m.ks, p.Shown()}, has_highlight, exponent, weight, samples);
-  } else {
-    for (std::uint32_t i = 0; i < samples.count; ++i)
-      samples.color.Set(i, weight * PhongReflection(p, Unit(samples.to_light[i]), samples.color[i]));
-  }
+  if (IsInPhongColumns(*p.material)) return ReflectOfOne(p, weight, samples);
+  for (std::uint32_t i = 0; i < samples.count; ++i)
+    samples.color.Set(i, weight * PhongReflection(p, Unit(samples.to_light[i]), samples.color[i]));
 }
 
 }  // namespace ray

@@ -12,28 +12,25 @@ R3::Vector Facing(const R3::Normal& n, bool entering) { return entering ? AsVect
 
 }  // namespace
 
-ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit) {
-  ShadingPoint s(ray, hit);
-  s.at = world.At(ray.ray, hit);
-  s.at.error = {};
+ShadingPoint ShadingPointAt(const World& world, const R3::Ray& ray, const PathState& path, const WorldHit& hit) {
+  ShadingPoint s(ray, path, hit);
+  s.at = world.At(ray, hit);
   s.material = &world.MaterialAt(hit);
   s.bias = world.scene().shadow_bias;
   s.kd = KdAt(world, s);
-  MapSpecular(s);
-  s.wo = -Unit(ray.ray.direction);
-  s.entering = Dot(s.at.normal, ray.ray.direction) <= 0;
+  s.wo = -Unit(ray.direction);
+  s.entering = Dot(s.at.normal, ray.direction) <= 0;
   SetLeaving(world, s);
   s.N = Facing(s.at.shading_normal, s.entering);
-  if (s.material->normal_map) s.N = NormalMapped(s, world.UvTangentsAt(ray.ray, hit));
-  if (s.material->bump) s.N = Bumped(s, world.UvTangentsAt(ray.ray, hit));
+  if (s.material->normal_map) s.N = NormalMapped(s, world.UvTangentsAt(ray, hit));
+  if (s.material->bump) s.N = Bumped(s, world.UvTangentsAt(ray, hit));
   s.is_smoothed = !(s.N == Facing(s.at.normal, s.entering));
-  SetDeparture(world, s);
-  AbsorbOnTheWay(s);
+  SetDeparture(world, ray, s);
+  AbsorbOnTheWay(ray, s);
   return s;
 }
 
-void SetDeparture(const World& world, ShadingPoint& p) {
-  R3::Ray& ray = p.path.ray;
+void SetDeparture(const World& world, const R3::Ray& ray, ShadingPoint& p) {
   if (HasNotMoved(ray, p.hit.t)) {
     p.free_point = ray.origin, p.departure = *ray.departure;
   } else {
@@ -43,12 +40,11 @@ void SetDeparture(const World& world, ShadingPoint& p) {
     p.free_point = free.place;
     p.departure = {free.clearance, ray.direction, nullptr};
   }
-  ForgetDeparture(ray);
 }
 
-void AbsorbOnTheWay(ShadingPoint& p) {
+void AbsorbOnTheWay(const R3::Ray& ray, ShadingPoint& p) {
   if (p.entering || p.path.media != 0 || IsBlack(p.material->absorb)) return;
-  const double distance = (p.hit.t - p.path.ray.t_min) * Length(p.path.ray.direction);
+  const double distance = (p.hit.t - std::max(ray.t_min, 0.0)) * Length(ray.direction);
   p.path.throughput = p.path.throughput * LeftAfter(p.material->absorb, distance);
 }
 
@@ -74,7 +70,7 @@ R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction) {
   R3::Ray ray{.origin = surface.free_point,
               .direction = direction,
               .t_min = BeginTowards(surface, direction),
-              .time = surface.path.ray.time,
+              .time = surface.time,
               .leaving = is_towards_viewer ? surface.leaving : surface.leaving_behind,
               .departure = &surface.departure};
   if (is_towards_viewer) return ray;

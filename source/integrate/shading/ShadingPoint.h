@@ -1,7 +1,5 @@
 #pragma once
 
-#include <concepts>
-
 #include "R3/Departure.h"
 #include "R3/Intersection.h"
 #include "source/accelerate/Contact.h"
@@ -13,36 +11,32 @@ namespace ray {
 /// A point being shaded.
 struct ShadingPoint {
   /// What is known at first.
-  ShadingPoint(const PathState& arriving, const WorldHit& surface) : path(arriving), hit(surface) {}
-  /// The path is made in place: a copy would wait for what has just been stored.
-  template <std::invocable MakePath>
-  ShadingPoint(const MakePath& make_path, const WorldHit& surface) : path(make_path()), hit(surface) {}
-  ShadingPoint(const R3::Ray& camera_ray, const SampleIndex& index, const WorldHit& surface)
-      : path{.ray = camera_ray, .index = index}, hit(surface) {}
+  ShadingPoint(const R3::Ray& ray, const PathState& arriving, const WorldHit& surface)
+      : path(arriving), hit(surface), direction(ray.direction), time(ray.time) {}
 
   PathState path;  // that led here; its throughput is what is left after the way
   WorldHit hit;
-  R3::Intersection at;  // without its error
+  R3::Vector direction;  // of the ray that led here, and its moment
+  double time;
+  R3::SurfacePoint at;
   const Material* material = nullptr;
-  R2::Color kd;              // the material's, times its texture and vertex colors
-  R2::Color specular;        // what its specular map shows, where there is one
-  R3::Vector wo;             // unit
-  bool entering = false;     // whether the ray came from the side of the outward normal
-  R3::Vector N;              // unit shading normal on the viewer's side
-  bool is_smoothed = false;  // N is not the surface's own normal
-  R3::Point free_point;      // where rays from here start, on the viewer's side
-  R3::Departure departure;   // what is known there of other surfaces
+  R2::Color kd;             // the material's, times its texture and vertex colors
+  R3::Vector wo;            // unit
+  R3::Vector N;             // unit shading normal on the viewer's side
+  R3::Point free_point;     // where rays from here start, on the viewer's side
+  R3::Departure departure;  // what is known there of other surfaces
   // R3::Ray::leaving of rays that stay on the viewer's side, and of those that go through the surface; these meet the
   // primitive again where `is_met_again`.
   std::int64_t leaving = -1, leaving_behind = -1;
   bool is_met_again = false;
+  bool entering = false;     // whether the ray came from the side of the outward normal
+  bool is_smoothed = false;  // N is not the surface's own normal
   // Set where light goes through the surface, see Media: where rays that have gone through start, what they are inside
   // of, and the index of refraction on this side over that on the other; 0: that of the material over 1, or 1 over it.
-  const R3::Departure* beyond = nullptr;
   MediumSets::Number media_beyond = 0;
+  const R3::Departure* beyond = nullptr;
   double relative_index = 0;
-  double bias = 0;     // where rays may first hit something, in distance from where they start
-  R2::Color radiance;  // back along the ray, as far as it is known
+  double bias = 0;  // where rays may first hit something, in distance from where they start
 
   /// What of the scene's ambient light is reflected.
   R2::Color AmbientReflectance(const World& world) const;
@@ -54,11 +48,11 @@ struct ShadingPoint {
     return entering ? 1 / material->ir : material->ir;
   }
   /// Whether a direction that N faces leads into the surface itself: from there no light can arrive.
-  bool IsBehindSurface(const R3::Vector& direction) const { return is_smoothed && !(Dot(Outward(), direction) > 0); }
+  bool IsBehindSurface(const R3::Vector& way) const { return is_smoothed && !(Dot(Outward(), way) > 0); }
   /// What the specular map shows; white where there is none.
   R2::Color Shown() const {
     if (material->specular_map) [[unlikely]]
-      return specular;
+      return material->specular_map->On(at, material->texture_scale);
     return {1, 1, 1};
   }
   /// What the specular map leaves of what is specular.
@@ -72,9 +66,9 @@ struct ShadingPoint {
   }
 };
 
-/// The surface where a ray was found to hit. What the inside of a solid absorbed on the way, see LeftAfter, is taken
-/// from the path's throughput, unless Media have done so.
-ShadingPoint ShadingPointAt(const World& world, const PathState& ray, const WorldHit& hit);
+/// The surface where a path's ray was found to hit. What the inside of a solid absorbed on the way, see LeftAfter, is
+/// taken from the path's throughput, unless Media have done so.
+ShadingPoint ShadingPointAt(const World& world, const R3::Ray& ray, const PathState& path, const WorldHit& hit);
 
 /// Sets what rays from the point leave; its hit and viewer's side must be known.
 inline void SetLeaving(const World& world, ShadingPoint& p) {
@@ -87,8 +81,8 @@ inline void SetLeaving(const World& world, ShadingPoint& p) {
   p.leaving_behind = primitive, p.is_met_again = is_met(!p.entering);
 }
 
-/// Sets where rays from the point start; its normal must be known.
-void SetDeparture(const World& world, ShadingPoint& p);
+/// Sets where rays from the point, to which `ray` led, start; its normal must be known.
+void SetDeparture(const World& world, const R3::Ray& ray, ShadingPoint& p);
 
 /// The colors of a mesh's vertices where a ray hits; white for other shapes.
 R2::Color VertexColorAt(const World& world, const WorldHit& hit);
@@ -98,14 +92,8 @@ inline R2::Color KdAt(const World& world, const ShadingPoint& p) {
   const R2::Color kd = m.texture ? m.kd * m.texture->On(p.at, m.texture_scale) : m.kd;
   return m.has_vertex_colors ? kd * VertexColorAt(world, p.hit) : kd;
 }
-/// Looks up the specular map of a point whose surface is known.
-inline void MapSpecular(ShadingPoint& p) {
-  const Material& m = *p.material;
-  if (m.specular_map) [[unlikely]]
-    p.specular = m.specular_map->On(p.at, m.texture_scale);
-}
 /// Takes from the throughput what the inside of a solid absorbed on the way here; the last step of making a point.
-void AbsorbOnTheWay(ShadingPoint& p);
+void AbsorbOnTheWay(const R3::Ray& ray, ShadingPoint& p);
 
 /// What a ray that hits nothing sees.
 R2::Color Background(const Scene& scene, const R3::Vector& direction);
@@ -132,7 +120,7 @@ inline R3::Ray ShadowRay(const ShadingPoint& surface, const ShadowTarget& light)
           .direction = light.to_light,
           .t_min = BeginTowards(surface, light.to_light),
           .t_max = EndOf(light),
-          .time = surface.path.ray.time,
+          .time = surface.time,
           .leaving = LeavingTowards(surface, Dot(surface.N, light.to_light)),
           .reaching = light.reaching,
           .departure = &surface.departure};

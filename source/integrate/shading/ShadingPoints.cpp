@@ -18,15 +18,15 @@ using VectorColumns = R1::Columns<R3::Vector, most>;
 struct Surfaces {
   std::size_t count = 0;
   std::array<ShadingPoint*, most> points;
+  std::array<const R3::Ray*, most> rays;
   PointColumns origin, position, free_point;
   VectorColumns direction, normal, shading_normal, N, wo;
   alignas(64) double begin[most], t[most], error[most];  // of the rays, and of what they hit
   alignas(64) double facing[most], clearance[most];      // n . direction, and of departures
 
   bool IsFull() const { return count == most; }
-  void Add(ShadingPoint& p, const Instance& instance) {
-    const R3::Ray& ray = p.path.ray;
-    points[count] = &p;
+  void Add(ShadingPoint& p, const R3::Ray& ray, const Instance& instance) {
+    points[count] = &p, rays[count] = &ray;
     error[count] = instance.error;
     origin.Set(count, ray.origin), direction.Set(count, ray.direction);
     begin[count] = std::max(ray.t_min, 0.0), t[count] = p.hit.t;
@@ -39,11 +39,11 @@ struct FlatSurfaces : Surfaces {
   PointColumns corners[3];
   VectorColumns weights;
 
-  void Add(ShadingPoint& p, const Instance& instance) {
+  void Add(ShadingPoint& p, const R3::Ray& ray, const Instance& instance) {
     const auto places = instance.mesh->CornersInPlace(p.hit.element);
     for (std::size_t k = 0; k < 3; ++k) corners[k].Set(count, *places[k]);
     weights.Set(count, R3::Vector{1 - p.hit.u - p.hit.v, p.hit.u, p.hit.v});
-    Surfaces::Add(p, instance);
+    Surfaces::Add(p, ray, instance);
   }
 };
 
@@ -52,10 +52,10 @@ struct RoundSurfaces : Surfaces {
   PointColumns met, center;  // `met`: where the ray says that they meet
   alignas(64) double radius[most];
 
-  void Add(ShadingPoint& p, const Instance& instance, const R3::SphereData& sphere) {
-    met.Set(count, p.path.ray.At(p.hit.t)), center.Set(count, sphere.center);
+  void Add(ShadingPoint& p, const R3::Ray& ray, const Instance& instance, const R3::SphereData& sphere) {
+    met.Set(count, ray.At(p.hit.t)), center.Set(count, sphere.center);
     radius[count] = sphere.radius;
-    Surfaces::Add(p, instance);
+    Surfaces::Add(p, ray, instance);
   }
 };
 
@@ -97,22 +97,21 @@ void FaceRays(Surfaces& all) {
 void Finish(const World& world, const Surfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
     ShadingPoint& p = *all.points[i];
+    const R3::Ray& ray = *all.rays[i];
     p.kd = KdAt(world, p);
-    MapSpecular(p);
     p.wo = all.wo[i];
     p.entering = all.facing[i] <= 0;
     p.N = all.N[i];
     p.is_smoothed = !(all.normal[i] == all.shading_normal[i]);
-    if (HasNotMoved(p.path.ray, p.hit.t)) [[unlikely]] {
-      SetDeparture(world, p);
+    if (HasNotMoved(ray, p.hit.t)) [[unlikely]] {
+      SetDeparture(world, ray, p);
     } else {
       p.free_point = all.free_point[i];
       p.departure = {all.clearance[i], all.direction[i], nullptr};
-      ForgetDeparture(p.path.ray);
     }
     SetLeaving(world, p);
     p.bias = world.scene().shadow_bias;
-    AbsorbOnTheWay(p);
+    AbsorbOnTheWay(ray, p);
   }
 }
 
@@ -121,26 +120,26 @@ class Completion {
  public:
   explicit Completion(const World& world) : world_(world) {}
 
-  void Add(ShadingPoint& p) {
+  void Add(ShadingPoint& p, const R3::Ray& ray) {
     const Instance& instance = world_.Instances()[p.hit.instance];
     p.material = &world_.MaterialAt(p.hit);
     const bool needs_uv = p.material->texture || p.material->specular_map;
     const bool is_plain = instance.frame == 0 && !needs_uv;
     if (p.material->bump || p.material->normal_map)
-      p = ShadingPointAt(world_, p.path, p.hit);
+      p = ShadingPointAt(world_, ray, p.path, p.hit);
     else if (is_plain && instance.mesh && !instance.mesh->IsSmooth())
-      AddTo(flat_, p, instance);
+      AddTo(flat_, p, ray, instance);
     else if (const auto sphere = is_plain ? instance.shape->AsSphere() : std::nullopt)
-      AddTo(round_, p, instance, *sphere);
+      AddTo(round_, p, ray, instance, *sphere);
     else
-      AddOther(p, instance);
+      AddOther(p, ray, instance);
   }
   void CompleteAll() { Complete(flat_), Complete(round_), CompleteOthers(); }
 
  private:
   template <typename Kind, typename... Surface>
-  void AddTo(Kind& surfaces, ShadingPoint& p, const Surface&... surface) {
-    surfaces.Add(p, surface...);
+  void AddTo(Kind& surfaces, ShadingPoint& p, const R3::Ray& ray, const Surface&... surface) {
+    surfaces.Add(p, ray, surface...);
     if (surfaces.IsFull()) Complete(surfaces);
   }
   template <typename Kind>
@@ -148,7 +147,7 @@ class Completion {
     PutInPlace(surfaces);
     FaceRays(surfaces);
     for (std::size_t i = 0; i < surfaces.count; ++i) {
-      R3::Intersection& at = surfaces.points[i]->at;
+      R3::SurfacePoint& at = surfaces.points[i]->at;
       at.position = surfaces.position[i];
       at.normal = at.shading_normal = AsNormal(surfaces.normal[i]);
     }
@@ -156,13 +155,12 @@ class Completion {
     surfaces.count = 0;
   }
 
-  void AddOther(ShadingPoint& p, const Instance& instance) {
-    p.at = world_.At(p.path.ray, p.hit);
-    p.at.error = {};
+  void AddOther(ShadingPoint& p, const R3::Ray& ray, const Instance& instance) {
+    p.at = world_.At(ray, p.hit);
     const std::size_t i = others_.count;
     others_.position.Set(i, p.at.position);
     others_.normal.Set(i, AsVector(p.at.normal)), others_.shading_normal.Set(i, AsVector(p.at.shading_normal));
-    others_.Add(p, instance);
+    others_.Add(p, ray, instance);
     if (others_.IsFull()) CompleteOthers();
   }
   void CompleteOthers() {
@@ -179,9 +177,10 @@ class Completion {
 
 }  // namespace
 
-void CompleteShadingPoints(const World& world, std::span<ShadingPoint> points) {
+void CompleteShadingPoints(const World& world, std::span<const R3::Ray> rays, std::span<const std::uint32_t> ray_of,
+                           std::span<ShadingPoint> points) {
   Completion completion(world);
-  for (ShadingPoint& p : points) completion.Add(p);
+  for (std::size_t i = 0; i < points.size(); ++i) completion.Add(points[i], rays[ray_of[i]]);
   completion.CompleteAll();
 }
 

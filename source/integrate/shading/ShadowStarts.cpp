@@ -15,34 +15,27 @@ template <typename NormalOf, typename ClearanceOf>
   }
 }
 
-R3_VECTORIZED
-void MakeOfOne(const R3::Vector& N, double clearance, const LightSamples& samples, ShadowStarts& starts) {
-  const R3::Vector normal = N;
-  MakeEach([&](std::uint32_t) { return normal; }, [&](std::uint32_t) { return clearance; }, samples, starts);
-}
-
-R3_VECTORIZED
-void MakeOfMany(const R1::Columns<R3::Vector>& N, const LightSamples::Each& clearance, const LightSamples& samples,
-                ShadowStarts& starts) {
-  MakeEach([&](std::uint32_t i) { return N[i]; }, [&](std::uint32_t i) { return clearance[i]; }, samples, starts);
-}
-
-void BeginAt(double bias, const LightSamples& samples, ShadowStarts& starts) {
-  if (bias > 0) [[unlikely]]
-    for (std::uint32_t i = 0; i < samples.count; ++i) starts.begin[i] = bias / Length(samples.to_light[i]);
+[[gnu::noinline]] void BeginAt(double bias, const LightSamples& samples, ShadowStarts& starts) {
+  for (std::uint32_t i = 0; i < samples.count; ++i) starts.begin[i] = bias / Length(samples.to_light[i]);
 }
 
 }  // namespace
 
+R3_VECTORIZED
 void MakeShadowStarts(const R1::Columns<R3::Vector>& N, const LightSamples::Each& clearance, double bias,
                       const LightSamples& samples, ShadowStarts& starts) {
-  MakeOfMany(N, clearance, samples, starts);
-  BeginAt(bias, samples, starts);
+  MakeEach([&](std::uint32_t i) { return N[i]; }, [&](std::uint32_t i) { return clearance[i]; }, samples, starts);
+  if (bias > 0) [[unlikely]]
+    BeginAt(bias, samples, starts);
 }
 
+R3_VECTORIZED
 void MakeShadowStarts(const ShadingPoint& p, const LightSamples& samples, ShadowStarts& starts) {
-  MakeOfOne(p.N, p.departure.clearance, samples, starts);
-  BeginAt(p.bias, samples, starts);
+  const R3::Vector N = p.N;
+  const double clearance = p.departure.clearance;
+  MakeEach([&](std::uint32_t) { return N; }, [&](std::uint32_t) { return clearance; }, samples, starts);
+  if (p.bias > 0) [[unlikely]]
+    BeginAt(p.bias, samples, starts);
 }
 
 }  // namespace ray

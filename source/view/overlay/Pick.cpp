@@ -60,7 +60,7 @@ Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderS
   std::string path = LocationOf(*instance.node, scene);
   for (const Node* group : GroupsAbove(world, pick.instance))
     if (group->location.line > 0) path += " < " + LocationOf(*group, scene);
-  const R3::Intersection& at = *ray.at;
+  const R3::SurfacePoint& at = *ray.at;
   const Material& m = *instance.material;
   pick.text.push_back("node " + path);
   pick.text.push_back("primitive " + std::to_string(world.PrimitiveId(*ray.hit)) + ", t " + Shortly(ray.hit->t) +

@@ -21,7 +21,7 @@ Material MaterialOf(const R2::Color& kd, const R2::Color& ks, const R2::Color& k
 
 /// A point of a level surface seen from above, from outside or from within.
 ShadingPoint PointOf(const Material& material, const R3::Vector& wo, bool entering = true) {
-  ShadingPoint p({}, {});
+  ShadingPoint p({}, {}, {});
   p.material = &material;
   p.kd = material.kd;
   p.wo = Unit(wo);
@@ -279,15 +279,15 @@ TEST(Bsdf, ANormalThatFacesAwayBendsLightNoMoreThanOneAtARightAngle) {
 TEST(Bsdf, AnIndexOfOneLetsTheRayGoOnStraight) {
   const Material air = MaterialOf({}, {}, {1, 1, 1}, 10, 1);
   ShadingPoint p = PointOf(air, {0.6, 0.8, 0});
-  p.path.ray = {{3, 4, 0}, {-6, -8, 0}, 0, R3::infinity, 0.25};
-  p.hit.t = 0.5;
+  p.time = 0.25;
   const auto sample = Bsdf(p, SettingsOf(false, true)).Sample({0.5, 0.5}, 0.5);
   ASSERT_TRUE(sample);
   EXPECT_EQ(sample->wi, -p.wo);
-  const PathState next = Extend(p, SpawnRay(p, sample->wi), sample->lobe, {0.5, 0.5, 0.5}, {});
-  EXPECT_EQ(next.ray.origin, p.free_point);
-  EXPECT_EQ(next.ray.direction, -p.wo);
-  EXPECT_EQ(next.ray.time, 0.25);
+  const R3::Ray ray = SpawnRay(p, sample->wi);
+  EXPECT_EQ(ray.origin, p.free_point);
+  EXPECT_EQ(ray.direction, -p.wo);
+  EXPECT_EQ(ray.time, 0.25);
+  const PathState next = Extend(p, sample->lobe, {0.5, 0.5, 0.5}, {});
   EXPECT_EQ(next.depth, 1);
   EXPECT_EQ(next.kind, RayKind::transmission);
 }

@@ -35,7 +35,7 @@ class Looking {
     Workspace workspace;
     const auto hit = accelerator_->Intersect(ray, workspace);
     if (!hit) return {};
-    return ShadingPointAt(stage_.world, {.ray = ray, .index = {}}, *hit);
+    return ShadingPointAt(stage_.world, ray, {}, *hit);
   }
 
  private:
@@ -98,7 +98,7 @@ std::optional<R3::Vector> NormalOfMovedSurface(const Looking& at, const ShadingP
                                                double step) {
   const R3::Vector n = AsVector(place.at.normal);
   const auto moved = [&](const R3::Vector& aside) -> std::optional<R3::Vector> {
-    const auto beside = at.Along({place.at.position + step * aside + step * n, -n, 0, 2 * step, place.path.ray.time});
+    const auto beside = at.Along({place.at.position + step * aside + step * n, -n, 0, 2 * step, place.time});
     if (!beside) return {};
     const auto [u, v] = beside->at.uv;
     if (std::min({u, v, 1 - u, 1 - v}) < 0.05) return {};

@@ -25,7 +25,7 @@ R2::Color Seen(const std::string& shape, const R3::Ray& ray, std::shared_ptr<con
   const auto accelerator = FindAcceleratorKind("none")->Make(stage.world, {});
   Workspace workspace;
   const auto hit = accelerator->Intersect(ray, workspace);
-  return hit ? ShadingPointAt(stage.world, {.ray = ray, .index = {}}, *hit).kd : R2::Color{-1, -1, -1};
+  return hit ? ShadingPointAt(stage.world, ray, {}, *hit).kd : R2::Color{-1, -1, -1};
 }
 
 double Distance(const R2::Color& a, const R2::Color& b) {
