@@ -118,10 +118,15 @@ struct Candidate {
   double share;
 };
 
-/// Every mistake behind those of `before`, the best first.
-std::vector<Candidate> Ranked(const Misfit& misfit, double all, SceneImages& images, const MistakeList& before) {
+/// Mistakes of a finished image alone cost no rendering.
+enum class Behind { every, of_image };
+
+/// Every mistake that is tried behind those of `before`, the best first.
+std::vector<Candidate> Ranked(const Misfit& misfit, double all, SceneImages& images, const MistakeList& before,
+                              Behind tried = Behind::every) {
   std::vector<Candidate> candidates;
   for (const Mistake* mistake : Mistakes()) {
+    if (tried == Behind::of_image && mistake->make) continue;
     if (std::ranges::find(before, mistake) != before.end()) continue;
     MistakeList mistakes = before;
     mistakes.push_back(mistake);
@@ -201,7 +206,9 @@ bool IsVisible(SceneImages& images, const MistakeList& mistakes) {
 
 Explanation Explain(const Submission& student, SceneImages& images) {
   constexpr double nearly_all = 0.995, most_left_by_second = 0.4;
-  constexpr std::size_t firsts = 3;  // that are tried with a second
+  constexpr std::size_t firsts = 3;  // that are tried with every other
+  // Among hundreds of pairs some fit by chance, so that those which do not begin with a likely mistake must fit better.
+  constexpr double named_above_by_search = 0.95;
   const Misfit misfit(student, images);
   const double all = misfit.ToExplain();
   const std::vector<Candidate> singles = Ranked(misfit, all, images, {});
@@ -209,12 +216,20 @@ Explanation Explain(const Submission& student, SceneImages& images) {
   const Candidate& best = singles[0];
   Explanation found{.mistakes = best.mistakes, .alternatives = Alternatives(singles), .share = best.share};
   if (best.share > nearly_all) return found;
-  for (std::size_t i = 0; i < std::min(firsts, singles.size()) && singles[i].share > 0; ++i) {
-    const std::vector<Candidate> pairs = Ranked(misfit, all, images, singles[i].mistakes);
-    if (pairs.empty() || pairs[0].share <= found.share) continue;
+  for (std::size_t i = 0; i < singles.size(); ++i) {
+    const bool is_likely = i < firsts && singles[i].share > 0;
+    const std::vector<Candidate> pairs =
+        Ranked(misfit, all, images, singles[i].mistakes, is_likely ? Behind::every : Behind::of_image);
+    if (pairs.empty() || pairs[0].share <= std::max(found.share, is_likely ? 0 : named_above_by_search)) continue;
     const bool is_worth_naming = 1 - pairs[0].share < most_left_by_second * (1 - best.share);
     if (!is_worth_naming) continue;
     found = {.mistakes = pairs[0].mistakes, .alternatives = {}, .share = pairs[0].share};
+  }
+  if (found.mistakes.size() == 2 && found.share < nearly_all) {
+    // The second was chosen for the first, which may itself have stood for another mistake.
+    const std::vector<Candidate> pairs = Ranked(misfit, all, images, {found.mistakes[1]});
+    if (!pairs.empty() && pairs[0].share > found.share)
+      found.mistakes = pairs[0].mistakes, found.share = pairs[0].share;
   }
   if (found.share > named_above) return found;
   return {.mistakes = {}, .alternatives = {}, .share = found.share};

@@ -43,7 +43,8 @@ struct Explanation {
 inline constexpr double named_above = 0.8;
 
 /// Tries every mistake, and where none explains nearly all, pairs: the mistakes that leave the least of the squared
-/// difference over steady pixels, each with every other.
+/// difference over steady pixels, each with every other, and once more the second of the best pair; and all with those
+/// of a finished image.
 Explanation Explain(const Submission& student, SceneImages& images);
 
 /// The share of the squared difference between student and reference, or between student and black if that is less,

@@ -20,6 +20,15 @@ bool IsOfOneColor(const R2::Image& image) {
   return true;
 }
 
+/// A sentence about an image that is black or has one color.
+std::optional<std::string> EmptyRemark(const R2::Image& image) {
+  if (std::ranges::all_of(image.Channels(), [](float channel) { return channel < dark; }))
+    return "The whole image is black. Does the camera look at the scene, and does a camera ray find a hit at t > 0?";
+  if (IsOfOneColor(image))
+    return "The whole image has one color. Is the color of each pixel stored, and are camera rays different?";
+  return {};
+}
+
 /// Where single pixels differ amid others that do not, by what they are instead.
 struct Specks {
   std::int64_t darker = 0, background = 0;
@@ -55,28 +64,34 @@ std::string PercentOf(std::int64_t count, const Comparison& found) {
          "%";
 }
 
-}  // namespace
-
-std::vector<std::string> RemarksOn(const Submission& student, const Comparison& found, const SceneImages& images) {
+/// A sentence about acne or cracks.
+std::optional<std::string> SpeckRemark(const Submission& student, const Comparison& found, const SceneImages& images) {
   constexpr double share_of_specks = 0.002;  // of the steady pixels: 40 of an image of 160 x 120
-  const auto& channels = student.image.Channels();
-  if (std::ranges::all_of(channels, [](float channel) { return channel < dark; }))
-    return {"The whole image is black. Does the camera look at the scene, and does a camera ray find a hit at t > 0?"};
-  if (IsOfOneColor(student.image))
-    return {"The whole image has one color. Is the color of each pixel stored, and are camera rays different?"};
   if (images.CellSide() > 1) return {};
-  std::vector<std::string> remarks;
   const Specks specks = SpecksOf(student, found, images);
   const auto least = static_cast<std::int64_t>(share_of_specks * static_cast<double>(found.steady));
   if (specks.background > least && 2 * specks.background > found.differing)
-    remarks.push_back("Cracks: single pixels (" + PercentOf(specks.background, found) +
-                      ") show the background where a surface should be. A ray that meets an edge belongs to one of the "
-                      "two triangles; a test with < on both sides lets it through.");
-  else if (specks.darker > least && 2 * specks.darker > found.differing)
-    remarks.push_back("Shadow acne: single pixels (" + PercentOf(specks.darker, found) +
-                      ") are too dark on lit, smooth surfaces. A shadow ray that starts on a surface meets it again "
-                      "by rounding; start it a little off the surface.");
-  return remarks;
+    return "Cracks: single pixels (" + PercentOf(specks.background, found) +
+           ") show the background where a surface should be. A ray that meets an edge belongs to one of the two "
+           "triangles; a test with < on both sides lets it through.";
+  if (specks.darker > least && 2 * specks.darker > found.differing)
+    return "Shadow acne: single pixels (" + PercentOf(specks.darker, found) +
+           ") are too dark on lit, smooth surfaces. A shadow ray that starts on a surface meets it again by rounding; "
+           "start it a little off the surface.";
+  return {};
+}
+
+}  // namespace
+
+// Mistakes come before specks: moved edges leave single dark pixels as well, and no mistake makes most of what acne
+// does.
+Verdict VerdictOn(const Submission& student, const Comparison& found, SceneImages& images) {
+  if (const auto remark = EmptyRemark(student.image)) return {.kind = Verdict::Kind::empty, .remark = *remark};
+  const Explanation explanation = Explain(student, images);
+  if (!explanation.mistakes.empty()) return {.kind = Verdict::Kind::mistakes, .explanation = explanation};
+  if (const auto remark = SpeckRemark(student, found, images))
+    return {.kind = Verdict::Kind::specks, .remark = *remark};
+  return {};
 }
 
 std::optional<std::string> TerminatorRemark(const Submission& student, const Comparison& found, SceneImages& images) {

@@ -63,16 +63,20 @@ void Judge(const std::vector<R2::Image>& runs, bool is_jpeg, const Suite& suite,
   } else {
     result.worst_x = found.worst_x, result.worst_y = found.worst_y;
     result.ray_tree = images.RayTreeAt(found.worst_x, found.worst_y);
-    const std::vector<std::string> remarks = RemarksOn(student, found, images);
-    const Explanation explanation = remarks.empty() ? Explain(student, images) : Explanation{};
-    if (!explanation.mistakes.empty()) {
-      Name(explanation, result);
+    const Verdict verdict = VerdictOn(student, found, images);
+    if (verdict.kind == Verdict::Kind::mistakes) {
+      Name(verdict.explanation, result);
     } else {
       result.outcome = SceneResult::Outcome::different;
       result.headline = Percent(result.percent / 100) + " of the pixels differ.";
-      result.remarks = remarks;
-      if (remarks.empty())
-        if (const auto remark = TerminatorRemark(student, found, images)) result.remarks.push_back(*remark);
+      if (!verdict.remark.empty())
+        result.remarks.push_back(verdict.remark);
+      else if (const auto remark = TerminatorRemark(student, found, images))
+        result.remarks.push_back(*remark);
+      else
+        result.remarks.push_back(
+            "No mistake that raygrade knows makes such an image. Begin with the pixel below: what do your "
+            "rays do there?");
     }
   }
   result.score = ScoreOf(result, suite, images.scene());

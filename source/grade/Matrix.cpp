@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "source/grade/Comparison.h"
+#include "source/grade/Detectors.h"
 #include "source/sample/Random.h"
 
 namespace ray::grade {
@@ -24,7 +25,7 @@ bool LookAlike(SceneImages& images, const MistakeList& a, const MistakeList& b) 
   return share && *share > alike;
 }
 
-enum class Outcome { by_name, right, wrong, silent, invisible };
+enum class Outcome { by_name, right, told, wrong, silent, invisible };
 
 struct Tried {
   Outcome outcome;
@@ -34,8 +35,18 @@ struct Tried {
 Tried Try(SceneImages& images, const MistakeList& mistakes) {
   if (!IsVisible(images, mistakes)) return {Outcome::invisible, "-"};
   const Submission student = MakeSubmission({images.AsOfAnother(mistakes)}, false, images);
-  const Explanation found = Explain(student, images);
-  if (found.mistakes.empty()) return {Outcome::silent, "silent"};
+  const Verdict verdict = VerdictOn(student, Compare(student, images), images);
+  switch (verdict.kind) {
+    case Verdict::Kind::empty:
+      return {Outcome::told, "told"};
+    case Verdict::Kind::specks:
+      return {Outcome::wrong, "WRONG: " + verdict.remark};
+    case Verdict::Kind::unknown:
+      return {Outcome::silent, "silent"};
+    case Verdict::Kind::mistakes:
+      break;
+  }
+  const Explanation& found = verdict.explanation;
   MistakeList any = found.alternatives;
   const bool is_among = mistakes.size() == 1 && std::ranges::find(any, mistakes[0]) != any.end();
   if (std::ranges::is_permutation(mistakes, found.mistakes)) return {Outcome::by_name, "right"};
@@ -53,6 +64,7 @@ void TryInEach(std::vector<std::unique_ptr<SceneImages>>& scenes, const MistakeL
     is_seen |= tried.outcome != Outcome::invisible;
     counts.by_name += tried.outcome == Outcome::by_name;
     counts.right += tried.outcome == Outcome::right || tried.outcome == Outcome::by_name;
+    counts.told += tried.outcome == Outcome::told;
     counts.wrong += tried.outcome == Outcome::wrong;
     counts.silent += tried.outcome == Outcome::silent;
   }

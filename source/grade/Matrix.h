@@ -12,7 +12,8 @@ namespace ray::grade {
 struct MatrixCounts {
   int right = 0;      // named, or one that looks the same in the scene
   int by_name = 0;    // of these, named itself
-  int wrong = 0;      // another one is named
+  int told = 0;       // black, or of one color, which a rule says before mistakes are tried
+  int wrong = 0;      // another one is named, or something that is not there
   int silent = 0;     // visible, and none is named
   int invisible = 0;  // no scene shows it
 

@@ -99,7 +99,7 @@ void RuledShading::AddLight(std::size_t which, std::span<ShadingPoint> points, s
   const auto count = static_cast<std::uint32_t>(light.IsExtended() ? settings_.shadow_samples : 1);
   state.arrived.assign(points.size(), {});
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const ShadingPoint& p = points[i];
+    ShadingPoint& p = points[i];
     if (!p.HasReflectance()) continue;
     const ray::Points random = p.path.index.PointsFor(first_key + which, settings_.sampler, settings_.samples, count);
     for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k)
@@ -122,6 +122,11 @@ double RuledShading::CosineOf(const ShadingPoint& p, const R3::Vector& L) const 
   return 0;
 }
 
+/// Whether an absolute cosine lets a light shine that is on the other side of something without an inside.
+bool RuledShading::IsLitFromBehind(const ShadingPoint& p, const R3::Vector& L) const {
+  return rules_.cosine == ShadingRules::Cosine::absolute && Dot(p.N, L) < 0 && !p.is_met_again;
+}
+
 R2::Color RuledShading::HighlightOf(const ShadingPoint& p, const R3::Vector& L) const {
   if (!rules_.half_vector) return Highlight(p, L);
   const double lobe = Dot(p.N, Unit(L + p.wo));
@@ -135,8 +140,8 @@ R3::Vector RuledShading::ShadowDirection(std::size_t which, const ShadingPoint& 
   return other ? other->to_light : sample.to_light;
 }
 
-void RuledShading::AddSample(std::size_t which, const ShadingPoint& p, std::size_t index, const R2::Point& u,
-                             double weight, R2::Color& radiance, TraceState& state) const {
+void RuledShading::AddSample(std::size_t which, ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
+                             R2::Color& radiance, TraceState& state) const {
   const Light& light = *Lights()[which];
   const auto sample = light.Illuminate(p.free_point, u);
   if (!sample) return;
@@ -153,8 +158,12 @@ void RuledShading::AddSample(std::size_t which, const ShadingPoint& p, std::size
   ShadowTarget target = sample->Target();
   target.to_light = ShadowDirection(which, p, *sample);
   if (rules_.shadow == ShadingRules::Shadow::beyond_light) target.is_infinite = true, target.reaching = -1;
+  // A thin surface does not keep light from itself where programs start their shadow rays a little towards the light.
+  const R3::Vector N = p.N;
+  if (IsLitFromBehind(p, L)) p.N = -N;
   tracer_.AddShadowRay(
       p, index, target, reflected, p.path.throughput, [&] { return light.Describe(); }, state);
+  p.N = N;
 }
 
 }  // namespace ray::grade

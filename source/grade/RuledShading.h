@@ -22,9 +22,10 @@ class RuledShading : public Whitted {
   void ApplyToNormal(ShadingPoint& p) const;
   void AddLight(std::size_t which, std::span<ShadingPoint> points, std::span<R2::Color> radiances,
                 TraceState& state) const;
-  void AddSample(std::size_t which, const ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
+  void AddSample(std::size_t which, ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
                  R2::Color& radiance, TraceState& state) const;
   double CosineOf(const ShadingPoint& p, const R3::Vector& L) const;
+  bool IsLitFromBehind(const ShadingPoint& p, const R3::Vector& L) const;
   R2::Color HighlightOf(const ShadingPoint& p, const R3::Vector& L) const;
   R3::Vector ShadowDirection(std::size_t which, const ShadingPoint& p, const LightSample& sample) const;
 

@@ -110,7 +110,8 @@ int PrintMatrix(grade::Grader& grader, int pairs) {
   const grade::MatrixCounts counts = TryMistakes(grader.Scenes(), pairs);
   for (const std::string& line : counts.lines) WriteStandardOutput(line + "\n");
   WriteStandardOutput("right " + std::to_string(counts.right) + " (" + std::to_string(counts.by_name) +
-                      " by name, others by one that looks the same), wrong " + std::to_string(counts.wrong) +
+                      " by name, others by one that looks the same), told to be empty " + std::to_string(counts.told) +
+                      ", wrong " + std::to_string(counts.wrong) +
                       ", silent " + std::to_string(counts.silent) + "; in no scene visible: " +
                       Counted(static_cast<std::uint64_t>(counts.invisible), "mistake") + "\n");
   return status::done;

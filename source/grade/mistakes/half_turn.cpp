@@ -6,7 +6,7 @@ namespace ray::grade {
 extern const Mistake half_turn_mistake{
     .name = "half_turn",
     .title = "the image is turned by half a turn",
-    .expected = "Both x and y of the image plane grow as those of the image.",
+    .expected = "Seen from the eye, x of the image plane grows to the right, and y upward.",
     .hint = "A pinhole's own image is upside down; the image plane in front of the eye is not.",
     .of_image =
         [](const R2::Image& image) {

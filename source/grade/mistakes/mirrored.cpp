@@ -6,7 +6,7 @@ namespace ray::grade {
 extern const Mistake mirrored_mistake{
     .name = "mirrored",
     .title = "the image is mirrored left to right",
-    .expected = "Right is towards x up: x grows along it.",
+    .expected = "Right is the cross product of the view direction and up, in this order; x grows along it.",
     .hint = "In which order is the cross product taken?",
     .of_image =
         [](const R2::Image& image) {

@@ -143,13 +143,46 @@ TEST(Mistakes, WhatIsDarkIsNotTakenForBlack) {
   EXPECT_EQ(result.outcome, grade::SceneResult::Outcome::different) << result.headline;
 }
 
+const grade::Mistake* MistakeNamed(std::string_view name) {
+  return *std::ranges::find_if(grade::Mistakes(), [&](const auto* one) { return one->name == name; });
+}
+
+// Edges moved by half a pixel leave dark specks, which were taken for shadow acne.
+TEST(Mistakes, RaysThroughCornersAreNoAcne) {
+  OneScene scene("cs315", "shadows");
+  const auto student = scene.Images().With({MistakeNamed("half_a_pixel")});
+  const grade::SceneResult result = Judged(*student, scene.suite, scene.Images());
+  EXPECT_EQ(result.mistakes, "half_a_pixel") << result.headline;
+}
+
+TEST(Mistakes, DarkSpecksOnLitSurfacesAreAcne) {
+  OneScene scene("cs315", "shadows");
+  R2::Image student = scene.Images().Reference();
+  for (int y = 1; y < student.Height(); y += 3)
+    for (int x = 1 + y % 2; x < student.Width(); x += 4) student.Set(x, y, 0.4 * student.At(x, y));
+  const grade::SceneResult result = Judged(student, scene.suite, scene.Images());
+  ASSERT_EQ(result.remarks.size(), 1U) << result.headline;
+  EXPECT_TRUE(Has(result.remarks[0], "Shadow acne")) << result.remarks[0];
+}
+
+// The second of two was chosen for a first that stood for another, and light that falls with the square was named.
+TEST(Mistakes, TheFirstOfTwoIsLookedForAgain) {
+  OneScene scene("groningen", "shadows");
+  const R2::Image student =
+      scene.Images().AsOfAnother({MistakeNamed("spheres_missing"), MistakeNamed("divided_by_pi")});
+  const std::string named = Judged(student, scene.suite, scene.Images()).mistakes;
+  EXPECT_TRUE(Has(named, "spheres_missing") && Has(named, "divided_by_pi")) << named;
+}
+
+TEST(Mistakes, AThinSurfaceLitFromBehindShowsAnAbsoluteCosine) {
+  OneScene scene("infogr", "spot");
+  EXPECT_TRUE(IsVisible(scene.Images(), {MistakeNamed("absolute_cosine")}));
+}
+
 TEST(Mistakes, ShadowsWhereLightGrazesASmoothMeshAreTold) {
   OneScene scene("cos426", "smooth");
-  const auto named = [](std::string_view name) {
-    return *std::ranges::find_if(grade::Mistakes(), [&](const auto* one) { return one->name == name; });
-  };
-  const auto closed = scene.Images().With({named("no_diffuse"), named("no_highlight")}),
-             flat = scene.Images().With({named("flat_shading")});
+  const auto closed = scene.Images().With({MistakeNamed("no_diffuse"), MistakeNamed("no_highlight")}),
+             flat = scene.Images().With({MistakeNamed("flat_shading")});
   R2::Image student = scene.Images().Reference();
   for (int y = 0; y < student.Height(); ++y)
     for (int x = 0; x < student.Width(); ++x) {
