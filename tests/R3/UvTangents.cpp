@@ -70,7 +70,7 @@ class Roof : public R3::Shape {
   }
   R3::Intersection At(const R3::Ray& ray, const R3::Hit& hit, int) const override {
     const R3::Point p = ray.At(hit.t);
-    return {p, {}, NormalOf(hit.part), NormalOf(hit.part), {p.x + 0.25 * hit.part, p.y}, {}};
+    return {{p, NormalOf(hit.part), NormalOf(hit.part), {p.x + 0.25 * hit.part, p.y}, {}}, {}};
   }
 
  private:
