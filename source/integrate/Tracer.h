@@ -103,14 +103,15 @@ class Tracer {
       const ShadingPoint& p = point_of(k);
       const R3::Vector to_light = samples.to_light[k];
       if (p.IsBehindSurface(to_light)) continue;
-      new (&state.shadows.Next()) R3::Ray{.origin = samples.from[k],
-                                          .direction = to_light,
-                                          .t_min = starts.begin[k],
-                                          .t_max = end,
-                                          .time = p.time,
-                                          .leaving = LeavingTowards(p, starts.facing[k]),
-                                          .reaching = light.reaching,
-                                          .departure = &p.departure};
+      // Number by number: whole vectors would be copied by way of the stack, and wait for it.
+      R3::Ray& ray = state.shadows.Next();
+      ray.origin.x = p.free_point.x, ray.origin.y = p.free_point.y, ray.origin.z = p.free_point.z;
+      ray.direction.x = to_light.x, ray.direction.y = to_light.y, ray.direction.z = to_light.z;
+      ray.t_min = starts.begin[k], ray.t_max = end;
+      ray.time = p.time;
+      ray.leaving = LeavingTowards(p, starts.facing[k]), ray.leaving_until = R3::infinity;
+      ray.reaching = light.reaching;
+      ray.departure = &p.departure;
       AddReflected(p, index_of(k), reflected, throughput, describe, state);
     }
   }
@@ -129,7 +130,7 @@ class Tracer {
     const std::size_t i = shadows.count++;
     shadows.point[i] = index;
     R2::Color& left = shadows.reflected[i];
-    left.r = reflected.r, left.g = reflected.g, left.b = reflected.b;  // number by number, see ShadowAim
+    left.r = reflected.r, left.g = reflected.g, left.b = reflected.b;
     if (p.path.media != 0 && media_.AreAbsorbing() && shadows.rays[i].t_max < R3::infinity)
       left = media_.LeftOf(left, p.path.media, Length(shadows.rays[i].direction), state);
     if (state.recorder) [[unlikely]]

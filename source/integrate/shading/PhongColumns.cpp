@@ -42,12 +42,11 @@ template <typename SurfaceOf, typename ExponentOf>
 }
 
 R3_VECTORIZED
-void ReflectOfOne(const ShadingPoint& p, double weight, LightSamples& samples) {
-  const Material& m = *p.material;
-  const bool has_highlight = !IsBlack(m.ks);
-  const std::uint64_t exponent = has_highlight ? static_cast<std::uint64_t>(m.n) : 0;
-  const PhongSurface surface{p.N, p.wo, p.kd, m.ks, p.Shown()};
-  ReflectEach([&](std::uint32_t) { return surface; }, [&](std::uint32_t) { return exponent; }, exponent, has_highlight,
+void ReflectOfOne(const ShadingPoint& p, const R2::Color& shown, double weight, LightSamples& samples) {
+  const PhongSurface surface{p.N, p.wo, p.kd, p.material->ks, shown};
+  const bool has_highlight = !IsBlack(surface.ks);
+  const std::uint64_t exponent = has_highlight ? static_cast<std::uint64_t>(p.material->n) : 0;
+  ReflectEach([=](std::uint32_t) { return surface; }, [=](std::uint32_t) { return exponent; }, exponent, has_highlight,
               weight, samples);
 }
 
@@ -64,7 +63,7 @@ void ReflectByPhong(const PhongColumns& surfaces, LightSamples& samples) {
 }
 
 void ReflectByPhong(const ShadingPoint& p, double weight, LightSamples& samples) {
-  if (IsInPhongColumns(*p.material)) return ReflectOfOne(p, weight, samples);
+  if (IsInPhongColumns(*p.material)) return ReflectOfOne(p, p.Shown(), weight, samples);
   for (std::uint32_t i = 0; i < samples.count; ++i)
     samples.color.Set(i, weight * PhongReflection(p, Unit(samples.to_light[i]), samples.color[i]));
 }

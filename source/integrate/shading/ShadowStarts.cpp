@@ -33,7 +33,7 @@ R3_VECTORIZED
 void MakeShadowStarts(const ShadingPoint& p, const LightSamples& samples, ShadowStarts& starts) {
   const R3::Vector N = p.N;
   const double clearance = p.departure.clearance;
-  MakeEach([&](std::uint32_t) { return N; }, [&](std::uint32_t) { return clearance; }, samples, starts);
+  MakeEach([=](std::uint32_t) { return N; }, [=](std::uint32_t) { return clearance; }, samples, starts);
   if (p.bias > 0) [[unlikely]]
     BeginAt(p.bias, samples, starts);
 }
