@@ -37,7 +37,7 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
 }
 
 void Tracer::Complete(std::span<const std::uint32_t> ray_of, std::span<ShadingPoint> points, TraceState& state) const {
-  if (state.recorder)  // which shows texture coordinates, whether the material has a use for them or not
+  if (state.recorder)  // which shows positions, and texture coordinates whether the material has a use for them or not
     for (std::size_t i = 0; i < points.size(); ++i)
       points[i] = ShadingPointAt(world_, state.batch[ray_of[i]], points[i].path, points[i].hit);
   else

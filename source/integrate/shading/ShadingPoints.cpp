@@ -5,7 +5,6 @@
 #include "R1/Columns.h"
 #include "R3/FlatTriangle.h"
 #include "R3/Numeric.h"
-#include "R3/Sphere.h"
 
 namespace ray {
 namespace {
@@ -19,7 +18,7 @@ struct Surfaces {
   std::size_t count = 0;
   std::array<ShadingPoint*, most> points;
   std::array<const R3::Ray*, most> rays;
-  PointColumns origin, position, free_point;
+  PointColumns origin, free_point;
   VectorColumns direction, normal, shading_normal, N, wo;
   alignas(64) double begin[most], t[most], error[most];  // of the rays, and of what they hit
   alignas(64) double facing[most], clearance[most];      // n . direction, and of departures
@@ -36,46 +35,37 @@ struct Surfaces {
 
 /// Surfaces of flat triangles: one object, so that it is clear that no arrays overlap.
 struct FlatSurfaces : Surfaces {
-  PointColumns corners[3];
-  VectorColumns weights;
+  R1::Columns<R3::Point, most> corners[3];
 
   void Add(ShadingPoint& p, const R3::Ray& ray, const Instance& instance) {
     const auto places = instance.mesh->CornersInPlace(p.hit.element);
     for (std::size_t k = 0; k < 3; ++k) corners[k].Set(count, *places[k]);
-    weights.Set(count, R3::Vector{1 - p.hit.u - p.hit.v, p.hit.u, p.hit.v});
     Surfaces::Add(p, ray, instance);
   }
 };
 
 /// Surfaces of the world's spheres.
 struct RoundSurfaces : Surfaces {
-  PointColumns met, center;  // `met`: where the ray says that they meet
-  alignas(64) double radius[most];
+  VectorColumns from_center;  // to where the ray says that they meet
 
   void Add(ShadingPoint& p, const R3::Ray& ray, const Instance& instance, const R3::SphereData& sphere) {
-    met.Set(count, ray.At(p.hit.t)), center.Set(count, sphere.center);
-    radius[count] = sphere.radius;
+    from_center.Set(count, ray.At(p.hit.t) - sphere.center);
     Surfaces::Add(p, ray, instance);
   }
 };
 
 R3_VECTORIZED
-void PutInPlace(FlatSurfaces& all) {
+void MakeNormals(FlatSurfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
-    const R3::Point p = all.corners[0][i], q = all.corners[1][i], r = all.corners[2][i];
-    const R3::SurfacePlace place = R3::PlaceOnTriangle(p, q, r, all.weights[i]);
-    const R3::Vector normal = R3::FaceDirection(p, q, r);
-    all.position.Set(i, place.position);
+    const R3::Vector normal = R3::FaceDirection(all.corners[0][i], all.corners[1][i], all.corners[2][i]);
     all.normal.Set(i, normal), all.shading_normal.Set(i, normal);
   }
 }
 
 R3_VECTORIZED
-void PutInPlace(RoundSurfaces& all) {
+void MakeNormals(RoundSurfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
-    const R3::Vector outward = BranchlessUnit(all.met[i] - all.center[i]);
-    const R3::SurfacePlace place = R3::PlaceOnSphere(all.center[i], all.radius[i], outward);
-    all.position.Set(i, place.position);
+    const R3::Vector outward = BranchlessUnit(all.from_center[i]);
     all.normal.Set(i, outward), all.shading_normal.Set(i, outward);
   }
 }
@@ -144,11 +134,10 @@ class Completion {
   }
   template <typename Kind>
   void Complete(Kind& surfaces) {
-    PutInPlace(surfaces);
+    MakeNormals(surfaces);
     FaceRays(surfaces);
     for (std::size_t i = 0; i < surfaces.count; ++i) {
       R3::SurfacePoint& at = surfaces.points[i]->at;
-      at.position = surfaces.position[i];
       at.normal = at.shading_normal = AsNormal(surfaces.normal[i]);
     }
     Finish(world_, surfaces);
@@ -158,7 +147,6 @@ class Completion {
   void AddOther(ShadingPoint& p, const R3::Ray& ray, const Instance& instance) {
     p.at = world_.At(ray, p.hit);
     const std::size_t i = others_.count;
-    others_.position.Set(i, p.at.position);
     others_.normal.Set(i, AsVector(p.at.normal)), others_.shading_normal.Set(i, AsVector(p.at.shading_normal));
     others_.Add(p, ray, instance);
     if (others_.IsFull()) CompleteOthers();

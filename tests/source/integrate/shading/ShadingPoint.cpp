@@ -92,7 +92,6 @@ TEST(ShadingPoints, MadeTogetherAreThoseMadeOneByOneToTheBit) {
     for (std::size_t i = 0; i < together.size(); ++i) {
       const ShadingPoint& p = together[i];
       const ShadingPoint alone = ShadingPointAt(stage.world, rays[i], p.path, p.hit);
-      EXPECT_EQ(p.at.position, alone.at.position);
       EXPECT_EQ(p.at.normal, alone.at.normal);
       EXPECT_EQ(p.at.shading_normal, alone.at.shading_normal);
       EXPECT_EQ(p.material, alone.material);
