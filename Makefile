@@ -5,6 +5,7 @@
 #   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
 #   make check      the layer check alone: who may include whom; that elementary functions are our own; that the
 #                   patches of script/price apply and compile; and that all who name packages name the same
+#   make tidy       clang-tidy over the library; TIDY=clang-tidy-19 for another one
 #   make asan tsan  the tests again under the sanitizers
 #   make web        the page that renders in a browser, under build/web; make web-test tests it, make site adds the docs
 #   make fuzz       the fuzz targets, with clang, under build/fuzz; script/fuzz.sh runs them
@@ -103,7 +104,7 @@ together = $(filter-out $(ALONE),$(call present,$(1)))
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call alone,$(1))) \
           $(patsubst %,$(BUILD)/obj/%all.o,$(sort $(dir $(call together,$(1)))))
 
-.PHONY: all $(ALL_PROGRAMS) test unit unit-program night check asan tsan fuzz fuzz-targets fuzz-scenes bench tiny tradeoff \
+.PHONY: all $(ALL_PROGRAMS) test unit unit-program night check tidy asan tsan fuzz fuzz-targets fuzz-scenes bench tiny tradeoff \
         price install uninstall installcheck dist clean compile_commands test-binary FORCE
 .PRECIOUS: $(BUILD)/obj/%.o $(BUILD)/jumbo/%/all.cpp
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
@@ -194,6 +195,15 @@ FOR_TESTS := build=$$(cd $(BUILD) && pwd) && RAYPRO="$$build/raypro" RAYIMG="$$b
 # The same tests with millions of cases where a commit has thousands; hours.
 night: test-binary $(PROGRAMS)
 	RAYPRO_NIGHT=1 $(FOR_TESTS) $(BUILD)/raytests $(GTEST)
+
+# clang-tidy over the library, of which a folder is looked at as it is compiled. Version 16 or later, since earlier ones
+# cannot read the ranges of g++ 12.
+TIDY ?= clang-tidy
+TIDIED := $(patsubst $(BUILD)/obj/%.o,%.cpp,$(call objects,$(LIBRARY_SOURCES)))
+TIDIED := $(patsubst %/all.cpp,$(BUILD)/jumbo/%/all.cpp,$(TIDIED))
+tidy: $(TIDIED)
+	@printf '%s\n' $^ | xargs -P $(JOBS) -I{} $(TIDY) --quiet {} -- $(filter-out -MD -MP,$(OUR_CPPFLAGS)) $(FEATURE_CPPFLAGS) \
+	  $(CPPFLAGS) -std=c++20 $(filter -ffp%,$(NUMERIC))
 
 # For editors: every file by itself, as JUMBO=no compiles it.
 $(BUILD)/compile_commands.json: $(BUILD)/flags $(BUILD)/features

@@ -124,7 +124,7 @@ std::uint64_t PixelBytes(const ExrLayout& layout, int width, int first, int last
 std::uint64_t RunLengthUnpacked(std::span<const unsigned char> packed) {
   std::uint64_t length = 0;
   for (std::size_t i = 0; i < packed.size();) {
-    const int count = static_cast<signed char>(packed[i]);
+    const int count = static_cast<signed char>(packed[i]);  // NOLINT(bugprone-signed-char-misuse): runs below 0
     length += static_cast<std::uint64_t>(count < 0 ? -count : count + 1);
     i += static_cast<std::size_t>(count < 0 ? 1 - count : 2);
   }

@@ -259,7 +259,7 @@ bool HasOtherPrimaries(const Imf::Header& header) {
   if (!Imf::hasChromaticities(header)) return false;
   constexpr float rounding = 0.0006f;  // of the three digits that are written
   const Imf::Chromaticities usual, stated = Imf::chromaticities(header);
-  const auto are_near = [&](Imath::V2f a, Imath::V2f b) {
+  const auto are_near = [&](const Imath::V2f& a, const Imath::V2f& b) {
     return std::abs(a.x - b.x) < rounding && std::abs(a.y - b.y) < rounding;
   };
   return !are_near(stated.red, usual.red) || !are_near(stated.green, usual.green) ||

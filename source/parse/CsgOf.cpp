@@ -67,7 +67,7 @@ std::shared_ptr<const R3::Shape> CsgOf(const Node& csg) {
   std::vector<Waiting> stack;
   stack.push_back({&csg, CsgPart::no_parent, CsgPart::no_material, {}});
   while (!stack.empty()) {
-    Waiting next = std::move(stack.back());
+    Waiting next = stack.back();
     stack.pop_back();
     const Node& node = *next.node;
     if (node.shape) {

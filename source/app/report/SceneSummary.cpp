@@ -12,7 +12,7 @@ namespace ray {
 namespace {
 
 template <class Number>
-std::string Line(std::string name, Number number) {
+std::string Line(std::string name, const Number& number) {
   constexpr std::size_t column_of_values = 14;
   name.resize(column_of_values, ' ');
   if constexpr (std::is_convertible_v<Number, std::string>)

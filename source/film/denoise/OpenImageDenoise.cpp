@@ -124,7 +124,7 @@ void OpenImageDenoise::ThrowIfFailed() const {
 bool OpenImageDenoise::IsPresent() {
   static const bool is_present = [] {
     try {
-      OpenImageDenoise(0);
+      const OpenImageDenoise library(0);
       return true;
     } catch (const DenoiserError&) {
       return false;

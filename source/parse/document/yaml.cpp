@@ -157,9 +157,8 @@ class YamlEvents : public YAML::EventHandler {
     const std::string& bytes = text_.bytes;
     const char quote = bytes[offset];
     for (std::size_t i = offset + 1; i < bytes.size(); ++i) {
-      if (quote == '"' && bytes[i] == '\\')
-        ++i;
-      else if (quote == '\'' && bytes[i] == '\'' && i + 1 < bytes.size() && bytes[i + 1] == '\'')
+      if ((quote == '"' && bytes[i] == '\\') ||
+          (quote == '\'' && bytes[i] == '\'' && i + 1 < bytes.size() && bytes[i + 1] == '\''))
         ++i;
       else if (bytes[i] == quote)
         return i + 1 - offset;
