@@ -196,7 +196,7 @@ TEST(Projections, TheTreeOfAPixelSaysWhichSamplesHaveNoRay) {
   EXPECT_FALSE(Contains(corner, "camera ray")) << corner;
   // The circle's rim crosses this pixel, so that some samples are on either side of it.
   const std::string rim = DebugPixel(stage.world, *accelerator, Settings(40, 40, 16), 5, 6);
-  EXPECT_TRUE(Contains(rim, "outside of what the camera sees")) << rim;
+  EXPECT_TRUE(Contains(rim, "outside the camera's view")) << rim;
   EXPECT_TRUE(Contains(rim, "camera ray")) << rim;
   for (int i = 1; i <= 16; ++i) EXPECT_TRUE(Contains(rim, "sample " + std::to_string(i) + " at ")) << rim;
 }

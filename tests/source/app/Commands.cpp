@@ -41,7 +41,8 @@ struct Folder : TemporaryFolder {
 
 /// The first lines, each behind its mark. Times and speeds are not the same twice, nor is what a build is made of.
 std::string Shown(const std::string& text, const std::string& mark) {
-  static const std::regex times(R"([0-9.]+ s [0-9.]+ Mrays/s)"), build(R"(raypro \d+\.\d+\.\d+|built with: [^\n]*)");
+  static const std::regex times(R"([0-9.]+ s [0-9.]+ Mrays/s)"),
+      build(R"(raypro \d+\.\d+\.\d+(\nbuilt from: [^\n]*)?|built with: [^\n]*)");
   std::istringstream lines(std::regex_replace(std::regex_replace(text, times, "TIME"), build, "BUILD"));
   std::string shown;
   std::size_t count = 0;
