@@ -72,14 +72,16 @@ $(WEB)/include/ready: $(WEB)/flags
 $(WEB)/jumbo/%/all.cpp: FORCE
 	$(call write,$(patsubst %,'#include "%"',$(filter $(wildcard $*/*.cpp),$(WEB_TOGETHER))))
 .PRECIOUS: $(WEB)/jumbo/%/all.cpp
-web_compile = @mkdir -p $(@D) && echo "  wasm  $(1)" && $(WEB_CXX) $(WEB_CPPFLAGS) $(WEB_FLAGS) -c $< -o $@
+web_compile = @mkdir -p $(@D) && echo "  wasm  $(1)" && $(WEB_CXX) $(WEB_CPPFLAGS) $(WEB_FLAGS) $(WEB_SMALL) -c $< -o $@
+# What runs once, before an image is made, is to be small.
+$(WEB)/obj/source/app/% $(WEB)/obj/source/parse/%: WEB_SMALL := -Os
 $(WEB)/obj/%/all.o: $(WEB)/jumbo/%/all.cpp $(WEB)/include/ready
 	$(call web_compile,$*/*.cpp)
 $(WEB)/obj/%.o: %.cpp $(WEB)/include/ready
 	$(call web_compile,$<)
 $(WEB)/yaml/%.o: $(WEB_YAML)/src/%.cpp $(WEB)/flags
 	@mkdir -p $(@D) && echo "  wasm  yaml-cpp/src/$*.cpp" && \
-	  $(WEB_CXX) $(WEB_FLAGS) -w -I$(WEB_YAML)/include -I$(WEB_YAML)/src -c $< -o $@
+	  $(WEB_CXX) $(WEB_FLAGS) -Os -w -I$(WEB_YAML)/include -I$(WEB_YAML)/src -c $< -o $@
 $(WEB_PAGE)/raypro.wasm: $(WEB_OBJECTS)
 	@mkdir -p $(@D) && echo "  link  $@" && $(WEB_CXX) $(WEB_TARGET) $(WEB_LINK) $^ -o $@
 -include $(shell find $(WEB)/obj -name '*.d' 2>/dev/null)

@@ -1,12 +1,13 @@
 #!/bin/sh
-# Tests the page of build/web: its engine in Node, and the page in Chromium. What is missing is said and left out.
+# Tests the page of build/web: its engine in Node, and the page in Chromium and Firefox. What is missing is said and left out.
 #   usage: tests/web/run.sh [folder of the build]
 set -eu
 cd "$(dirname "$0")/../.."
 build=$(cd "${1:-build}" && pwd)
 RAYPRO=$build/raypro RAYIMG=$build/rayimg WEB=$build/web SITE=$build/site
 CHROMIUM=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
-export RAYPRO RAYIMG WEB SITE CHROMIUM
+FIREFOX=$(command -v firefox-esr || command -v firefox || true)
+export RAYPRO RAYIMG WEB SITE CHROMIUM FIREFOX
 
 if ! [ -f "$WEB/raypro.wasm" ]; then
   echo "tests of the page: skipped, make web has not made it"
@@ -18,6 +19,11 @@ else
     node --test --test-reporter=spec tests/web/page.mjs
   else
     echo "tests of the page in a browser: skipped, there is no Chromium"
+  fi
+  if [ -n "$FIREFOX" ]; then
+    node --test --test-reporter=spec tests/web/firefox.mjs
+  else
+    echo "tests of the page in another browser: skipped, there is no Firefox"
   fi
   if [ -d "$SITE" ]; then node --test --test-reporter=spec tests/web/site.mjs; fi
 fi
