@@ -22,7 +22,7 @@ PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "scenes/README.md", "ar
          *sorted(str(p) for p in pathlib.Path("docs").rglob("*.md"))]
 WRITEUP = ["writeup/assignment3.html", "writeup/courses.html", "writeup/troubleshooting.html"]
 COPIED = [("writeup", "*.css"), ("writeup", "*.js"), ("writeup/pictures", "*.jpg"), ("writeup/pictures", "*.png"),
-          ("writeup/pictures", "*.svg"), ("art", "*.jpg"), ("docs", "*.jpg"), ("scenes/thumbnails", "*.jpg")]
+          ("writeup/pictures", "*.svg"), ("art", "*.jpg"), ("art", "*.mp4"), ("docs", "*.jpg"), ("scenes/thumbnails", "*.jpg")]
 MENU = [("Home", "index.html"), ("Try it", "web/index.html"), ("Features", "writeup/assignment3.html"),
         ("Other courses", "writeup/courses.html"), ("Troubleshooting", "writeup/troubleshooting.html"),
         ("Gallery", "art/index.html"), ("Scenes", "scenes/index.html"), ("Docs", "docs/index.html")]

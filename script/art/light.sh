@@ -87,3 +87,11 @@ jewels='
   }'
 make_map jewels 512 "$jewels"
 make_map jewels_fine 1024 "$jewels"  # where it is itself seen, row by row
+
+# A clear day: white above the sea, blue higher up, and a ground that the sun has lit.
+make_map day 256 '
+  function radiance(   haze) {
+    haze = lat > 0 ? exp(-lat / 14) : 1
+    r = mix(0.13, 0.58, haze); g = mix(0.26, 0.68, haze); b = mix(0.58, 0.80, haze)
+    if (lat < 0) { haze = exp(lat / 6); r = mix(0.26, r, haze); g = mix(0.24, g, haze); b = mix(0.21, b, haze) }
+  }'
