@@ -138,8 +138,11 @@ void Path::Reflect(const PathFront& front, const LightSamples::Each& pdfs, Light
 
 void Path::ReflectByPhong(const PathFront& front, LightSamples& samples) const {
   std::vector<R2::Color> others;
-  for (const std::uint32_t i : front.others_by_phong)
-    others.push_back(PhongReflection(front.points[i], Unit(samples.to_light[i]), samples.color[i]));
+  for (const std::uint32_t i : front.others_by_phong) {
+    const ShadingPoint& p = front.points[i];
+    const bool is_lit = p.HasReflectance() && !IsBlack(samples.color[i]);
+    others.push_back(is_lit ? PhongReflection(p, Unit(samples.to_light[i]), samples.color[i]) : R2::Color{});
+  }
   front.ReflectByPhong(samples);
   for (std::size_t k = 0; k < others.size(); ++k) samples.color.Set(front.others_by_phong[k], others[k]);
 }

@@ -25,7 +25,9 @@ template <typename SurfaceOf, typename ExponentOf>
   for (std::uint32_t i = 0; i < count; ++i) {
     const PhongSurface s = surface_of(i);
     const R3::Vector L = BranchlessUnit(samples.to_light[i]);
-    cosine[i] = Dot(s.N, L);
+    // Nothing reflected of light beyond all numbers is nothing: a product of both would be no number.
+    const R2::Color both = s.kd + s.ks;
+    cosine[i] = both.r + both.g + both.b > 0 ? Dot(s.N, L) : 0;
     mirrored[i] = LobeCosine(s.wo, s.N, L);
     lobe[i] = mirrored[i] > 0 ? most : 0;
   }
