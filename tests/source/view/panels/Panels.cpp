@@ -123,8 +123,8 @@ TEST_F(PanelTest, LabelsHaveLettersOfTheirOwnForOtherAlphabets) {
   const auto drawn = [&](const char* name) {
     Do(std::string("drop ") + name);
     std::vector<std::pair<float, float>> on_sheet;
-    for (const PanelDrawing::Corner& corner : viewer_->Show().panels->corners)
-      on_sheet.emplace_back(corner.u, corner.v);
+    const auto panels = viewer_->Show().panels;
+    for (const PanelDrawing::Corner& corner : panels->corners) on_sheet.emplace_back(corner.u, corner.v);
     return on_sheet;
   };
   const auto plain = drawn("u.png"), accent = drawn("\u00fc.png"), cyrillic = drawn("\u0443.png"),
