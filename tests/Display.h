@@ -31,6 +31,11 @@ class Variable {
   std::optional<std::string> old_;
 };
 
+/// Whether there are what a Server and its user need.
+inline bool HasServerAndUser() {
+  return std::system("command -v Xvfb >/dev/null && command -v xdotool >/dev/null") == 0;
+}
+
 /// An X server without a screen; the display is empty when it does not start.
 class Server {
  public:

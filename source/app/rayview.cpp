@@ -25,8 +25,8 @@
 namespace ray {
 namespace {
 
-/// Whether a user sees a window, and not a script.
-bool IsLookedAt(const ViewOptions& view) { return !view.headless && view.events.empty() && !view.exit_immediately; }
+/// Whether a window stays open for a user.
+bool StaysOpen(const ViewOptions& view) { return IsLookedAt(view) && !view.exit_immediately; }
 
 /// The scene; or nothing, with the files that are to be looked at again, where a user who edits them can see in a
 /// window what is wrong.
@@ -35,7 +35,7 @@ std::shared_ptr<const LoadedScene> SceneFor(const Options& asked, std::optional<
     return std::make_shared<const LoadedScene>(asked.files.scene, asked.parse, asked.accelerator);
   } catch (const SceneErrors& errors) {
     std::error_code ignored;
-    if (!IsLookedAt(asked.view) || !std::filesystem::is_regular_file(asked.files.scene, ignored)) throw;
+    if (!StaysOpen(asked.view) || !std::filesystem::is_regular_file(asked.files.scene, ignored)) throw;
     mistakes = errors;
     ParsedScene nothing;
     nothing.scene.files = {asked.files.scene};
@@ -52,7 +52,7 @@ int ViewScene(const Options& asked) {
   std::optional<SceneErrors> mistakes;
   auto loading = std::async(std::launch::async, [&] { return SceneFor(asked, mistakes); });
   std::unique_ptr<Window> window;
-  if (IsLookedAt(asked.view) && HasWindows())
+  if (StaysOpen(asked.view) && HasWindows())
     window = WindowUntilLoaded(loading, asked.render.width, asked.render.height, asked.files.scene);
   const auto scene = loading.get();
   const Options options = WithSettingsOf(scene->parsed.scene, asked);

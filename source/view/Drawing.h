@@ -55,7 +55,7 @@ using Lines = std::vector<Vertex>;
 void AddLine(Lines& lines, const std::array<float, 3>& from, const std::array<float, 3>& to, const Rgba& color);
 void Append(Lines& lines, const Lines& more);
 
-/// Of letters, all of one width, in pixels.
+/// How large letters are, in pixels; all have one width.
 struct LetterSize {
   double width = 8, height = 16;  // the latter of a line
 };

@@ -96,7 +96,7 @@ class Viewer {
   /// "hello.scn 512x512 4 of 16 samples 31 % 0.5 Mrays/s 12 s left": as of the last Update, and changed by time alone
   /// a few times a second.
   std::string Title() const;
-  /// Of the image that is rendered: "4 of 16 samples 31 % 0.5 Mrays/s 12 s left"; empty without any.
+  /// How far the image that is rendered has come: "4 of 16 samples 31 % 0.5 Mrays/s 12 s left"; empty without any.
   const std::string& Status() const { return status_; }
   /// What it shows, in lines of words, for scripts.
   std::string State();

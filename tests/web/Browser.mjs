@@ -5,7 +5,8 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { extname, join, normalize } from "node:path";
 
-const types = {
+/// Media types by extension.
+export const types = {
   ".html": "text/html",
   ".js": "text/javascript",
   ".css": "text/css",

@@ -7,17 +7,10 @@ import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { extname, join } from "node:path";
 import test from "node:test";
+import { types } from "./Browser.mjs";
 import { size } from "./scenes.mjs";
 
 const { WEB, FIREFOX } = process.env;
-const types = {
-  ".html": "text/html",
-  ".js": "text/javascript",
-  ".css": "text/css",
-  ".json": "application/json",
-  ".wasm": "application/wasm",
-  ".svg": "image/svg+xml",
-};
 
 /// What runs in Firefox: the page is in a frame, and its workers render scene after scene.
 const probe = (names) => `<!DOCTYPE html><iframe src="index.html" width="900" height="700"></iframe><script type="module">

@@ -74,18 +74,15 @@ std::string FreeRaysName() {
   }
 }
 
-/// By a user. A script waits for ends, and is to draw the same again.
-bool IsLookedAt(const Options& options) { return !options.view.headless && options.view.events.empty(); }
-
 ViewerSettings SettingsFor(const Options& options) {
   ViewerSettings settings{options.files.scene, options.parse, options.accelerator, options.render, {}};
-  settings.live_is_endless = IsLookedAt(options) && !options.IsGiven("samples") && options.render.samples == 1;
+  settings.live_is_endless = IsLookedAt(options.view) && !options.IsGiven("samples") && options.render.samples == 1;
   return settings;
 }
 
 /// The habits of whoever looks on, which a script that is recorded must not depend on either.
 std::string HabitsFile(const Options& options) {
-  return IsLookedAt(options) && options.view.record.empty() ? PanelHabitsFile() : std::string();
+  return IsLookedAt(options.view) && options.view.record.empty() ? PanelHabitsFile() : std::string();
 }
 
 ViewerSettings WithReference(ViewerSettings settings, const std::string& reference) {
@@ -157,7 +154,7 @@ class Session : public ViewerHost {
         viewer_(WithLook(WithReference(SettingsFor(options), options.view.reference), first_look_), std::move(scene),
                 *this),
         recorder_(outputs_.record),
-        recent_(IsLookedAt(options) && options.view.record.empty() ? RecentScenesFile() : std::string()) {
+        recent_(IsLookedAt(options.view) && options.view.record.empty() ? RecentScenesFile() : std::string()) {
     recent_.Add(options.files.scene);
     if (options.view.panels != "off") viewer_.ShowPanels(first_look_);
   }
@@ -430,6 +427,8 @@ class Session : public ViewerHost {
 };
 
 }  // namespace
+
+bool IsLookedAt(const ViewOptions& view) { return !view.headless && view.events.empty(); }
 
 int View(const Options& asked, const Options& options, const ViewOutputs& outputs,
          std::shared_ptr<const LoadedScene> scene, const SceneErrors* mistakes, std::unique_ptr<Window> window) {

@@ -9,6 +9,9 @@
 
 namespace ray {
 
+/// Whether a user looks on. A script waits for ends, and is to draw the same again.
+bool IsLookedAt(const ViewOptions& view);
+
 /// Shows the scene until its user, or the script of events, has seen enough.
 ///   asked     what was typed; it is combined again with the settings of a scene that is read again
 ///   options   that, with the settings of this scene

@@ -257,7 +257,7 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) 
   uploaded->head_light = picture.lights.head_light;
   uploaded->preview_lights = picture.lights.lights;
   uploaded->probes = picture.surfaces.probes;
-  // Those of one program after each other.
+  // Batches that one program shades follow each other, so that programs are changed rarely.
   std::ranges::stable_sort(uploaded->batches, {}, [&](const SurfaceBatch& batch) {
     return std::pair(batch.is_clear, Mirrors(batch.material, uploaded->features));
   });

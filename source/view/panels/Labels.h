@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// Of what is written in the letters of panels.
+/// The size of letters of labels, which are written as panels are. No frame has to be open.
 ///   scale   pixels per unit of length
 LetterSize LettersOfLabels(double scale);
 

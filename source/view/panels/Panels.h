@@ -17,7 +17,7 @@ struct PanelItem {
   double x = 0, y = 0;  // its middle, in pixels from the lower left corner of the drawing
 };
 
-/// Of panels, what is shown.
+/// Which parts of the panels are shown.
 struct PanelParts {
   bool column = false;  // and the status bar
   bool help = false;
@@ -47,9 +47,9 @@ class Panels {
   virtual void SetParts(const PanelParts& parts) = 0;
   /// Of the column, in pixels, when it is next drawn.
   virtual double Width(const Viewer& viewer) const = 0;
-  /// Of the status bar, in pixels.
+  /// The height of the status bar, in pixels.
   virtual double HeightOfBar() const = 0;
-  /// Of labels.
+  /// The size of letters of labels.
   virtual LetterSize Letters() = 0;
   /// As they are now, with these labels below them.
   virtual std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer, const std::vector<Label>& labels) = 0;

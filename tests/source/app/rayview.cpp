@@ -351,8 +351,7 @@ class RayviewWindow : public Rayview {
 #endif
     Rayview::SetUp();
     if (IsSkipped()) return;
-    if (std::system("command -v Xvfb >/dev/null && command -v xdotool >/dev/null") != 0)
-      GTEST_SKIP() << "Xvfb or xdotool is not installed";
+    if (!testing::HasServerAndUser()) GTEST_SKIP() << "Xvfb or xdotool is not installed";
     server.emplace();
     if (server->Display().empty()) GTEST_SKIP() << "Xvfb does not start here";
     display.emplace("DISPLAY", server->Display().c_str());

@@ -19,8 +19,7 @@ namespace {
 class LoadingWindow : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (std::system("command -v Xvfb >/dev/null && command -v xdotool >/dev/null") != 0)
-      GTEST_SKIP() << "Xvfb or xdotool is not installed";
+    if (!testing::HasServerAndUser()) GTEST_SKIP() << "Xvfb or xdotool is not installed";
     server.emplace();
     if (server->Display().empty()) GTEST_SKIP() << "Xvfb does not start here";
     display.emplace("DISPLAY", server->Display().c_str());

@@ -36,8 +36,7 @@ TEST(WindowWithoutADisplay, SaysSoInALineThatTellsWhatNeedsNone) {
 class WindowOnADisplay : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (std::system("command -v Xvfb >/dev/null && command -v xdotool >/dev/null") != 0)
-      GTEST_SKIP() << "Xvfb or xdotool is not installed";
+    if (!ray::testing::HasServerAndUser()) GTEST_SKIP() << "Xvfb or xdotool is not installed";
     server.emplace();
     if (server->Display().empty()) GTEST_SKIP() << "Xvfb does not start here";
     display.emplace("DISPLAY", server->Display().c_str());
