@@ -14,7 +14,7 @@
 #   make bench      the benchmark programs
 #   make tiny       the smallest tracer, as source and as executable, and how small it is
 #   make tradeoff   error over seconds for every knob, as CSV and plots under build/tradeoff; FULL=1 for hours
-#   make price      what features cost scenes that do not use them
+#   make price      what features cost scenes that do not use them, and what single precision would
 #   make install    PREFIX=/usr/local DESTDIR= bindir= datadir= mandir= docdir=; make uninstall undoes it
 #   make installcheck  both of them, tried in a folder for it
 #   make dist       what is committed, as build/raypro-VERSION.tar.gz
@@ -262,8 +262,9 @@ bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(call present,$(BENCH_SOURCES)))
 # The scripts say what they measure and which options they take: TRADEOFF="-search 50 hello lens".
 tradeoff: $(PROGRAMS)
 	$(FOR_TESTS) sh script/tradeoff.sh $(if $(FULL),-full) $(TRADEOFF)
-price: raypro
+price: raypro rayimg
 	BUILD=$(BUILD) sh script/price_of_features.sh $(PRICE)
+	BUILD=$(BUILD) sh script/price_of_single.sh
 
 # The shell's quotes around anything.
 quoted = '$(subst ','\'',$(1))'
