@@ -52,31 +52,24 @@ class Accelerator {
   /// Intersects each ray of a packet: faster for coherent rays, such as those of neighboring pixels, where an
   /// accelerator can trace packets. Answers go to hits[0], hits[1], ..., or are_occluded.
   void Intersect(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits, Workspace& workspace) const {
-    if (AreRays(rays)) {
-      NearestOfEach(rays, hits, workspace);
-      for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (has_unbounded_) [[unlikely]]
-          OfferUnbounded(rays[i], hits[i], workspace);
-        if (!hits[i]) continue;
-        if (hits[i]->is_contested) [[unlikely]]
-          *hits[i] = Seen(rays[i], *hits[i], workspace);
-        ++workspace.counts.hits;
-      }
-    } else {
-      for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = Intersect(rays[i], workspace);
+    NearestOfEach(rays, hits, workspace);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (has_unbounded_ && IsRay(rays[i])) [[unlikely]]
+        OfferUnbounded(rays[i], hits[i], workspace);
+      if (!hits[i]) continue;
+      if (hits[i]->is_contested) [[unlikely]]
+        *hits[i] = Seen(rays[i], *hits[i], workspace);
+      ++workspace.counts.hits;
     }
   }
   void IsOccluded(std::span<const R3::Ray> rays, bool* are_occluded, Workspace& workspace) const {
-    if (AreRays(rays)) {
-      AnyOfEach(rays, are_occluded, workspace);
-      if (has_unbounded_) [[unlikely]]
-        for (std::size_t i = 0; i < rays.size(); ++i)
-          are_occluded[i] = are_occluded[i] || IsBehindUnbounded(rays[i], workspace);
+    AnyOfEach(rays, are_occluded, workspace);
+    if (has_unbounded_) [[unlikely]]
       for (std::size_t i = 0; i < rays.size(); ++i)
-        if (are_occluded[i]) ++workspace.counts.hits;
-    } else {
-      for (std::size_t i = 0; i < rays.size(); ++i) are_occluded[i] = IsOccluded(rays[i], workspace);
-    }
+        are_occluded[i] = are_occluded[i] || (IsRay(rays[i]) && IsBehindUnbounded(rays[i], workspace));
+    std::uint64_t hits = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) hits += are_occluded[i];
+    workspace.counts.hits += hits;
   }
 
   /// The hits that are coincident with one that Intersect found, it included, the lowest primitive first; see
@@ -96,15 +89,22 @@ class Accelerator {
   virtual std::size_t Bytes() const { return 0; }
 
  protected:
-  /// What Nearest finds for each of the rays.
+  /// What Nearest finds for each of the rays; nothing for what is none, see IsRay, which is counted.
   virtual void NearestOfEach(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits, Workspace& workspace) const {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       NearestHit nearest(world_, rays[i], hits[i]);
-      Nearest(rays[i], nearest, workspace);
+      if (IsRay(rays[i]))
+        Nearest(rays[i], nearest, workspace);
+      else
+        ++workspace.counts.bad_rays;
     }
   }
   virtual void AnyOfEach(std::span<const R3::Ray> rays, bool* are_occluded, Workspace& workspace) const {
-    for (std::size_t i = 0; i < rays.size(); ++i) are_occluded[i] = Any(rays[i], workspace);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const bool is_ray = IsRay(rays[i]);
+      are_occluded[i] = is_ray && Any(rays[i], workspace);
+      workspace.counts.bad_rays += !is_ray;
+    }
   }
 
   const World& world_;
@@ -124,29 +124,6 @@ class Accelerator {
   std::vector<WorldHit> HitsNear(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const;
   /// Which one is seen where others may be coincident with the nearest hit.
   WorldHit Seen(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const;
-
-  /// Finite, and going somewhere; no other ray hits anything.
-  static bool IsRay(const R3::Ray& ray) {
-    const double nought = Nought(ray), heading = MaxComponent(Abs(ray.direction));
-    return (nought == 0) & (ray.t_min < ray.t_max) & (heading > 0);
-  }
-  /// 0 for finite numbers, NaN for others; and without a branch for each.
-  static double Nought(const R3::Ray& ray) {
-    const R3::Point& o = ray.origin;
-    const R3::Vector& d = ray.direction;
-    return 0 * o.x * o.y * o.z * d.x * d.y * d.z;
-  }
-
-  static bool AreRays(std::span<const R3::Ray> rays) {
-    bool are_ahead = true;
-    double nought = 0, least_heading = R3::infinity;
-    for (const R3::Ray& ray : rays) {
-      are_ahead &= ray.t_min < ray.t_max;
-      nought += Nought(ray);
-      least_heading = std::min(least_heading, MaxComponent(Abs(ray.direction)));
-    }
-    return are_ahead && nought == 0 && least_heading > 0;
-  }
 
   /// Offers all that may be the nearest hit.
   virtual void Nearest(const R3::Ray& ray, NearestHit& nearest, Workspace& workspace) const = 0;

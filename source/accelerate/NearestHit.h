@@ -10,6 +10,14 @@
 
 namespace ray {
 
+/// Finite, and going somewhere; no other ray hits anything.
+inline bool IsRay(const R3::Ray& ray) {
+  const R3::Point& o = ray.origin;
+  const R3::Vector& d = ray.direction;
+  const double nought = 0 * o.x * o.y * o.z * d.x * d.y * d.z;  // NaN unless all are finite; no branch for each
+  return (nought == 0) & (ray.t_min < ray.t_max) & (MaxComponent(Abs(d)) > 0);
+}
+
 // How a ray meets an element of an instance: `ray` is in the world, `local` in the instance's frame and may end
 // earlier.
 

@@ -20,6 +20,7 @@ Path::Path(const World& world, const Accelerator& accelerator, const TraceSettin
       settings_(settings),
       lights_(world, settings),
       caustics_(CausticsOf(world, settings)),
+      traits_(world.scene().materials),
       sampled_{settings.strategy != LightStrategy::bsdf,
                settings.strategy == LightStrategy::mis || settings.strategy == LightStrategy::bsdf},
       has_roulette_(settings.roulette != Roulette::off),
@@ -40,12 +41,13 @@ void Path::TraceTogether(std::span<const CameraSample> samples, std::span<R2::Co
                          TraceState& state) const {
   PathFront fronts[2];
   PathFront *front = &fronts[0], *next = &fronts[1];
-  next->Reserve(samples.size());
+  next->points.reserve(samples.size());
   SeeFirstSurfaces(samples, radiances, *front, state);
-  const std::vector<std::uint32_t> paths = front->paths;
+  const auto paths = front->paths;
+  const std::size_t count = front->points.size();
   std::array<R2::Color, most_paths> gathered{};  // beyond the first surface
   for (bool is_first = true; !front->points.empty(); is_first = false) {
-    front->MakeColumns(settings_);
+    front->MakeColumns(traits_, settings_);
     SampleLights(*front, state);
     for (std::size_t i = 0; i < front->points.size(); ++i)
       (is_first ? radiances[front->paths[i]] : gathered[front->paths[i]]) += state.arrived[i];
@@ -53,7 +55,7 @@ void Path::TraceTogether(std::span<const CameraSample> samples, std::span<R2::Co
     TakeStep(*front, gathered, *next, state);
     std::swap(front, next);
   }
-  for (const std::uint32_t path : paths) radiances[path] += gathered[path];
+  for (std::size_t i = 0; i < count; ++i) radiances[paths[i]] += gathered[paths[i]];
 }
 
 void Path::SeeFirstSurfaces(std::span<const CameraSample> samples, std::span<R2::Color> radiances, PathFront& front,
@@ -64,17 +66,17 @@ void Path::SeeFirstSurfaces(std::span<const CameraSample> samples, std::span<R2:
       radiances[i] = Background(world_.scene(), samples[i].ray.direction);
       continue;
     }
-    const ShadingPoint& p = front.points[point++];
+    const ShadingPoint& p = front.points[point];
     radiances[i] = p.path.throughput * p.EmittedAndAmbient(world_);
     Tracer::RecordHit(p, radiances[i], state);
-    front.paths.push_back(i);
+    front.paths[point++] = i;
   }
 }
 
 void Path::SampleLights(PathFront& front, TraceState& state) const {
   state.arrived.assign(front.points.size(), {});
   if (SamplesAllLights()) {
-    if (!lights_.IsEmpty() && lights_[0].OfScene()) front.MakeColumnsOfHighlights();  // those lights come first
+    if (!lights_.IsEmpty() && lights_[0].OfScene()) front.MakeColumnsOfHighlights(traits_);  // those lights come first
     for (int light = 0; light < lights_.Count() && !state.IsStopped(); ++light) SampleLight(light, front, state);
   } else {
     SampleChosenLights(front, state);
@@ -86,17 +88,16 @@ void Path::SampleLight(int light, const PathFront& front, TraceState& state) con
   const LightSource& source = lights_[light];
   PointsOfEach<2> random;
   if (source.IsExtended())
-    GetOfEach(front.indices, KeyOf(light), settings_.sampler, settings_.samples, random);
+    GetOfEach(front.Of(front.indices), KeyOf(light), settings_.sampler, settings_.samples, random);
   else
     random = {};
   const Light* of_scene = source.OfScene();
   if (!of_scene && !source.HasPdf()) return SampleLamp(light, front, random, state);
   LightSamples samples;
   samples.count = static_cast<std::uint32_t>(front.points.size());
-  for (std::uint32_t i = 0; i < samples.count; ++i) {
-    samples.from.Set(i, front.points[i].free_point);
-    samples.random.Set(i, random.Get2D(i));
-  }
+  for (std::uint32_t i = 0; i < samples.count; ++i) samples.from.Set(i, front.points[i].free_point);
+  for (std::size_t k = 0; k < 2; ++k)
+    std::copy_n(random.coordinates[k].data(), samples.count, samples.random.column[k]);
   if (of_scene) {
     of_scene->IlluminateEach(samples);
     ReflectByPhong(front, samples);
@@ -198,14 +199,14 @@ void Path::TakeStep(const PathFront& front, std::span<R2::Color> gathered, PathF
   for (std::size_t lobe = 0; lobe < lobes; ++lobe)
     rays += Follow(front, scattered, static_cast<Lobe>(lobe), rays, next, escaping, state);
   AddBackgrounds(front, scattered, escaping, gathered, state);
-  tracer_.Complete(next.rays, next.points, state);
+  tracer_.Complete(next.Of(next.rays), next.points, state);
   AddEmitted(front, scattered, next, gathered, state);
   if (IsLast(points[0])) next.Clear();
 }
 
 PathFront::Scattered Path::SampleBsdfs(const PathFront& front) const {
   PointsOfEach<4> random;
-  GetOfEachAlone(front.indices, scatter_key, settings_.sampler, settings_.samples, random);
+  GetOfEachAlone(front.Of(front.indices), scatter_key, settings_.sampler, settings_.samples, random);
   const std::int64_t depth = front.points[0].path.depth;  // all have gone as far
   PathFront::Scattered scattered = front.ScatterDiffusely(LeastSurvival(depth), random);
   for (std::uint32_t i = 0; i < front.points.size(); ++i)
@@ -245,7 +246,7 @@ std::uint32_t Path::Follow(const PathFront& front, const PathFront::Scattered& s
       ShadingPoint& arriving = next.Add(ray, path, *state.hits[number], front.paths[i], i, number);
       if (tracer_.Arrive(ray, arriving, state)) continue;
       path = arriving.path;
-      next.RemoveLast();
+      next.points.pop_back();
     }
     escaping.push_back({i, ray.direction, path.throughput, path.record});
   }
@@ -308,12 +309,14 @@ void Path::AddEmitted(const PathFront& front, const PathFront::Scattered& scatte
     const ShadingPoint& hit = next.points[i];
     const Step step = StepFrom(front, scattered, next.from[i]);
     const bool has_ambient = has_ambient_ && !IsLast(step.from), emits = !IsBlack(hit.material->emission);
+    R2::Color& of_path = gathered[next.paths[i]];
     R2::Color emitted, ambient;
-    if (emits) CountCaustic(step, hit.material->emission, state);
-    if (emits) emitted = Emitted(step, hit);
-    if (has_ambient) ambient = hit.path.throughput * hit.AmbientReflectance(world_) * world_.scene().ambient;
-    if (emits) gathered[next.paths[i]] += emitted;
-    if (has_ambient) gathered[next.paths[i]] += ambient;
+    if (emits) {
+      CountCaustic(step, hit.material->emission, state);
+      of_path += emitted = Emitted(step, hit);
+    }
+    if (has_ambient)
+      of_path += ambient = hit.path.throughput * hit.AmbientReflectance(world_) * world_.scene().ambient;
     Tracer::RecordHit(hit, emitted + ambient, state);
   }
 }

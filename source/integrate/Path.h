@@ -144,6 +144,7 @@ class Path : public Integrator {
   TraceSettings settings_;
   LightSampler lights_;
   Caustics caustics_;
+  MaterialTraitsOf traits_;
   Sampled sampled_;
   bool has_roulette_, has_ambient_;
   int lights_at_once_;  // 0: all

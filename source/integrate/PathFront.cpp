@@ -22,33 +22,36 @@ void MakeCosines(const R1::Columns<R3::Vector>& normals, const LightSamples& sam
 
 }  // namespace
 
-void PathFront::MakeColumns(const TraceSettings& settings) {
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
+void PathFront::MakeColumns(const MaterialTraitsOf& traits, const TraceSettings& settings) {
+  const auto count = static_cast<std::uint32_t>(points.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
     const ShadingPoint& p = points[i];
-    indices.push_back(p.path.index);
+    indices[i] = p.path.index;
     normals.Set(i, p.N);
     kd.Set(i, p.kd);
     throughputs.Set(i, p.path.throughput);
     clearances[i] = p.departure.clearance;
-    are_diffuse[i] = IsDiffuse(*p.material) ? 1 : 0;
-    if (are_diffuse[i] != 0) continue;
+    const bool is_diffuse = traits[*p.material].is_diffuse;
+    are_diffuse[i] = is_diffuse ? 1 : 0;
+    if (is_diffuse) continue;
     others.push_back(i);
     bsdfs.emplace_back(p, settings);
   }
 }
 
-void PathFront::MakeColumnsOfHighlights() {
+void PathFront::MakeColumnsOfHighlights(const MaterialTraitsOf& traits) {
   has_highlights = false, exponent_bits = 0;
   others_by_phong.clear();
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
+  const auto count = static_cast<std::uint32_t>(points.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
     const Material& m = *points[i].material;
-    const bool is_plain = IsInPhongColumns(m) && !m.specular_map;
-    has_highlights |= !IsBlack(m.ks);
+    const MaterialTraits& t = traits[m];
+    has_highlights |= t.has_highlight;
     wo.Set(i, points[i].wo);
     ks.Set(i, m.ks);
-    exponents[i] = is_plain && !IsBlack(m.ks) ? static_cast<std::uint64_t>(m.n) : 0;
-    exponent_bits |= exponents[i];
-    if (!is_plain) others_by_phong.push_back(i);
+    exponents[i] = t.exponent;
+    exponent_bits |= t.exponent;
+    if (!t.is_in_columns) others_by_phong.push_back(i);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "R1/Columns.h"
@@ -14,11 +15,14 @@ namespace ray {
 struct PathFront {
   using Each = LightSamples::Each;
 
+  template <typename Thing>
+  using ArrayOfEach = std::array<Thing, LightSamples::most>;
+
   std::vector<ShadingPoint> points;
   // For each point, the numbers of its camera sample, of the point that its path came from and of the ray that led there.
-  std::vector<std::uint32_t> paths, from, rays;
+  ArrayOfEach<std::uint32_t> paths, from, rays;
   // Made of all points, once they are known.
-  std::vector<SampleIndex> indices;
+  ArrayOfEach<SampleIndex> indices;
   R1::Columns<R3::Vector> normals;
   R1::Columns<R2::Color> kd, throughputs;
   alignas(64) Each clearances;        // of their departures
@@ -29,27 +33,25 @@ struct PathFront {
   bool has_highlights;
   R1::Columns<R3::Vector> wo;
   R1::Columns<R2::Color> ks;
-  std::array<std::uint64_t, LightSamples::most> exponents;  // 0 where they are not whole
-  std::uint64_t exponent_bits;                              // those that any of them has
-  std::vector<std::uint32_t> others_by_phong;               // with a coat, a map, or no whole exponent
+  ArrayOfEach<std::uint64_t> exponents;        // 0 where they are not whole
+  std::uint64_t exponent_bits;                 // those that any of them has
+  std::vector<std::uint32_t> others_by_phong;  // with a coat, a map, or no whole exponent
 
   /// Adds a point of which path and hit are known.
   ShadingPoint& Add(const R3::Ray& ray, const PathState& path, const WorldHit& hit, std::uint32_t sample,
                     std::uint32_t from_point, std::uint32_t ray_number) {
-    paths.push_back(sample), from.push_back(from_point), rays.push_back(ray_number);
+    const std::size_t i = points.size();
+    paths[i] = sample, from[i] = from_point, rays[i] = ray_number;
     return points.emplace_back(ray, path, hit);
   }
-  void Reserve(std::size_t most) {
-    points.reserve(most), paths.reserve(most), from.reserve(most), rays.reserve(most), indices.reserve(most);
-  }
-  void RemoveLast() { points.pop_back(), paths.pop_back(), from.pop_back(), rays.pop_back(); }
-  void Clear() {
-    points.clear(), paths.clear(), from.clear(), rays.clear();
-    indices.clear(), others.clear(), bsdfs.clear();
+  void Clear() { points.clear(), others.clear(), bsdfs.clear(); }
+  template <typename Thing>
+  std::span<const Thing> Of(const ArrayOfEach<Thing>& all) const {
+    return std::span(all).first(points.size());
   }
   /// Makes the columns, when all points are complete; those for lights of the scene language on demand.
-  void MakeColumns(const TraceSettings& settings);
-  void MakeColumnsOfHighlights();
+  void MakeColumns(const MaterialTraitsOf& traits, const TraceSettings& settings);
+  void MakeColumnsOfHighlights(const MaterialTraitsOf& traits);
 
   /// Makes of light samples with pdfs what surfaces that are diffuse alone reflect of them, one sample a point.
   ///   most_weight   of BSDF sampling: 0 where there is none
@@ -64,7 +66,7 @@ struct PathFront {
     R1::Columns<R3::Vector> directions;  // unit; diffuse ones where nothing else was chosen
     R1::Columns<R2::Color> throughputs;  // what survives Russian roulette, 0 where nothing does
     alignas(64) Each pdfs;               // of the directions, as of a BsdfSample
-    std::array<Lobe, LightSamples::most> lobe;
+    ArrayOfEach<Lobe> lobe;
     /// The numbers of the points that scatter by each lobe. Rays of one lobe are traced together: they are of one kind,
     /// and those that mirrors and glass send on go nearly the same way.
     std::array<std::vector<std::uint32_t>, lobes> by_lobe;

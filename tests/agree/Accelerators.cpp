@@ -171,6 +171,44 @@ TEST(Extremes, C6_BadRaysHitNothingAndAreCounted) {
   }
 }
 
+TEST(Extremes, C6_BadRaysAmongOthersHitNothingAndTheOthersHitWhatTheyHitAlone) {
+  ray::Scene scene;
+  scene.root.children.push_back(Leaf(std::make_shared<R3::Mesh>(accelerators::BumpyBall(8, 6))));
+  scene.root.children.push_back(Leaf(R3::MakeShape("plane", {0, -3, 0, 0, 1, 0})));  // which no box holds
+  SetBounds(scene.root);
+  const ray::World world(scene);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = R3::infinity;
+  std::vector<R3::Ray> bad{{{0, 0, 5}, {0, 0, 0}}, {{0, 0, 5}, {0, 0, -1}, 7, 3}, {{0, 0, 5}, {0, 0, -1}, 0, nan}};
+  for (const double x : {nan, inf, -inf})
+    for (const R3::Vector& where : {R3::Vector{x, 0, 0}, R3::Vector{0, x, 0}, R3::Vector{0, 0, x}}) {
+      bad.push_back({R3::Point{0, 0, 5} + where, {.1, .1, -1}});
+      bad.push_back({{0, 0, 5}, R3::Vector{.1, .1, -1} + where});
+    }
+  for (const auto& way : EveryWay()) {
+    const auto accelerator = ray::FindAcceleratorKind(way.settings.name)->Make(world, way.settings);
+    for (std::size_t i = 0; i < bad.size(); ++i) {
+      std::vector<R3::Ray> rays;
+      for (int k = 0; k < 16; ++k) rays.push_back({{0, 0, 5}, {.1 * (k % 4) - .15, .1 * (k / 4) - .15, -1}});
+      rays[i % 16] = bad[i];
+      std::vector<std::optional<ray::WorldHit>> hits(rays.size());
+      bool are_occluded[16];
+      ray::Workspace together, alone;
+      accelerator->Intersect(rays, hits.data(), together);
+      accelerator->IsOccluded(rays, are_occluded, together);
+      EXPECT_EQ(together.counts.bad_rays, 2u) << way.name << ' ' << oracle::Hex(bad[i]);
+      for (std::size_t k = 0; k < rays.size(); ++k) {
+        const auto hit = accelerator->Intersect(rays[k], alone);
+        EXPECT_EQ(hits[k].has_value(), hit.has_value()) << way.name << ' ' << oracle::Hex(rays[k]);
+        EXPECT_EQ(are_occluded[k], hit.has_value()) << way.name << ' ' << oracle::Hex(rays[k]);
+        if (hit && hits[k]) {
+          EXPECT_EQ(hits[k]->t, hit->t) << way.name << ' ' << oracle::Hex(rays[k]);
+        }
+      }
+      EXPECT_FALSE(hits[i % 16]) << way.name << ' ' << oracle::Hex(bad[i]);
+    }
+  }
+}
+
 TEST(Extremes, C9_ScenesWithoutExtentOnOneTwoOrAllAxesLookAlikeToEveryAccelerator) {
   Draw draw(970);
   for (int flat = 1; flat < 8; ++flat) {

@@ -197,21 +197,27 @@ struct Packet {
       hn::Store(hn::DemoteTo(f, hn::Mul(hn::BitCast(d, power), hn::Load(d, from.direction[axis] + i))), f,
                 direction[axis] + i);
     }
+    const auto sum = [&](const DoubleEach* v) {
+      return hn::Add(hn::Load(d, v[0] + i), hn::Add(hn::Load(d, v[1] + i), hn::Load(d, v[2] + i)));
+    };
     const auto far = largest(from.origin);
     const auto reach = hn::Add(hn::MulAdd(hn::Set(d, translation_error), far, hn::Add(hn::Set(d, 1), far)),
                                hn::Mul(padding, hn::Set(d, 1 / static_cast<double>(relative_plane_error))));
     const auto along = hn::Mul(scale, inverse_power);
     hn::Store(along, d, per_t + i);
-    const auto t_min = hn::Load(d, from.t_min + i);
+    const auto t_min = hn::Load(d, from.t_min + i), t_max = hn::Load(d, from.t_max + i);
     const auto departure = hn::Mul(t_min, hn::Set(d, -R3::departure_end));
-    SetErrorBounds(hn::DemoteTo(f, reach), hn::DemoteTo(f, hn::Mul(hn::Load(d, from.t_max + i), along)),
+    SetErrorBounds(hn::DemoteTo(f, reach), hn::DemoteTo(f, hn::Mul(t_max, along)),
                    hn::DemoteTo(f, hn::Mul(departure, along)), i);
     const auto begin_at_once = hn::And(hn::Ge(t_min, hn::Set(d, from.LeastTMin())), hn::Le(t_min, hn::Zero(d)));
     const auto head_somewhere =
         hn::And(hn::Lt(steepest, hn::Set(d, most_heading)), hn::Gt(steepest, hn::Set(d, 1 / most_heading)));
     const auto are_near =
         hn::And(hn::Le(far, hn::Add(hn::Set(d, near_enough), padding)), hn::Lt(reach, hn::Set(d, most_reach)));
-    return hn::AllTrue(d, hn::And(begin_at_once, hn::And(head_somewhere, are_near)));
+    // Maxima may lose what is no number, and sums do not; infinite numbers are out of range above.
+    const auto numbers = hn::Add(sum(from.origin), sum(from.direction));
+    const auto are_rays = hn::And(hn::Eq(numbers, numbers), hn::Lt(t_min, t_max));
+    return hn::AllTrue(d, hn::And(hn::And(begin_at_once, are_rays), hn::And(head_somewhere, are_near)));
   }
 
   template <typename V>

@@ -45,8 +45,8 @@ class PacketTraversal {
   bool IsAnswered(int i) const { return answered_ >> i & 1; }
 
   HWY_INLINE void Search() {
-    if (Child::IsNothing(tree_.root)) return;
-    if (Size() > few_rays && packet_.Begin(tree_.coordinates, tree_.primitives.PaddingPerDistance(), rays_)) {
+    if (Size() > few_rays && !Child::IsNothing(tree_.root) &&
+        packet_.Begin(tree_.coordinates, tree_.primitives.PaddingPerDistance(), rays_)) {
       if constexpr (any) {
         constexpr auto share = static_cast<float>(end_of_certainty);
         for (int i = 0; i < packet_size; ++i)
@@ -60,10 +60,7 @@ class PacketTraversal {
         for (int i = 0; i < Size(); ++i) TraverseAlone(i, tree_.root);
       TestAllCandidates();
     } else {
-      for (int i = 0; i < Size(); ++i)
-        if (HWY_NAMESPACE::Search<any>(two_level_, tree_, Ray(i), DistanceInWorld(i), std::nullopt, Nearest(i),
-                                       counts_))
-          answered_ |= std::uint32_t{1} << i;
+      for (int i = 0; i < Size(); ++i) SearchAlone(i);
     }
   }
 
@@ -98,6 +95,14 @@ class PacketTraversal {
     std::uint64_t distance_and_lane;  // PackEntry
     const Node* parent;
   };
+
+  void SearchAlone(int i) {
+    if (!IsRay(Ray(i)))
+      ++counts_.bad_rays;
+    else if (HWY_NAMESPACE::Search<any>(two_level_, tree_, Ray(i), DistanceInWorld(i), std::nullopt, Nearest(i),
+                                        counts_))
+      answered_ |= std::uint32_t{1} << i;
+  }
 
   HWY_INLINE void Traverse() {
     StackEntry stack[wide::most_depth * width];

@@ -54,6 +54,12 @@ void ReflectOfOne(const ShadingPoint& p, const R2::Color& shown, double weight, 
 
 }  // namespace
 
+MaterialTraits::MaterialTraits(const Material& m)
+    : is_diffuse(IsDiffuse(m)),
+      is_in_columns(IsInPhongColumns(m) && !m.specular_map),
+      has_highlight(!IsBlack(m.ks)),
+      exponent(is_in_columns && has_highlight ? static_cast<std::uint64_t>(m.n) : 0) {}
+
 R3_VECTORIZED
 void ReflectByPhong(const PhongColumns& surfaces, LightSamples& samples) {
   const auto surface_of = [&](std::uint32_t i) {

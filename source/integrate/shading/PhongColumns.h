@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "source/integrate/shading/Bsdf.h"
 #include "source/scene/LightSamples.h"
@@ -9,6 +11,30 @@ namespace ray {
 
 /// Whether PhongColumns know what a material is like; they have no coats.
 inline bool IsInPhongColumns(const Material& m) { return m.coat == 0 && (IsBlack(m.ks) || R1::IsWholeExponent(m.n)); }
+
+/// What is asked of the material of each of many points.
+struct MaterialTraits {
+  bool is_diffuse;         // alone
+  bool is_in_columns;      // PhongColumns know all of it
+  bool has_highlight;      // by Phong's formula
+  std::uint64_t exponent;  // of a highlight in PhongColumns; 0 where there is none
+
+  explicit MaterialTraits(const Material& m);
+};
+/// Those of all materials of a scene, found once.
+class MaterialTraitsOf {
+ public:
+  /// `materials` outlive it.
+  explicit MaterialTraitsOf(std::span<const Material> materials)
+      : first_(materials.data()), traits_(materials.begin(), materials.end()) {}
+
+  /// Of one of the materials.
+  const MaterialTraits& operator[](const Material& m) const { return traits_[static_cast<std::size_t>(&m - first_)]; }
+
+ private:
+  const Material* first_;
+  std::vector<MaterialTraits> traits_;
+};
 
 /// What Phong's formula asks of many surfaces, none with a coat or a specular map.
 struct PhongColumns {

@@ -53,8 +53,7 @@ R2::Color VertexColorAt(const World& world, const WorldHit& hit) {
   return mesh ? mesh->ColorAt(hit, hit.element) : R2::Color{1, 1, 1};
 }
 
-R2::Color ShadingPoint::AmbientReflectance(const World& world) const {
-  if (!material->texture_multiplies_ka) return material->ka;
+R2::Color ShadingPoint::TexturedAmbientReflectance(const World& world) const {
   const R2::Color ka =
       material->texture ? material->ka * material->texture->On(at, material->texture_scale) : material->ka;
   return material->has_vertex_colors ? ka * VertexColorAt(world, hit) : ka;

@@ -39,7 +39,9 @@ struct ShadingPoint {
   double bias = 0;  // where rays may first hit something, in distance from where they start
 
   /// What of the scene's ambient light is reflected.
-  R2::Color AmbientReflectance(const World& world) const;
+  R2::Color AmbientReflectance(const World& world) const {
+    return material->texture_multiplies_ka ? TexturedAmbientReflectance(world) : material->ka;
+  }
   /// The surface's own normal on the viewer's side.
   R3::Vector Outward() const { return entering ? AsVector(at.normal) : -AsVector(at.normal); }
   /// Index of refraction on the viewer's side over that on the other.
@@ -64,6 +66,9 @@ struct ShadingPoint {
   R2::Color EmittedAndAmbient(const World& world) const {
     return material->emission + AmbientReflectance(world) * world.scene().ambient;
   }
+
+ private:
+  R2::Color TexturedAmbientReflectance(const World& world) const;
 };
 
 /// The surface where a path's ray was found to hit. What the inside of a solid absorbed on the way, see LeftAfter, is

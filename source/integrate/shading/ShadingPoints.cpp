@@ -84,6 +84,8 @@ void FaceRays(Surfaces& all) {
 }
 
 /// The rest, which each point has of its own.
+///   is_smoothed   whether the shading normals may be others than the surfaces'
+template <bool is_smoothed>
 void Finish(const World& world, const Surfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
     ShadingPoint& p = *all.points[i];
@@ -92,7 +94,7 @@ void Finish(const World& world, const Surfaces& all) {
     p.wo = all.wo[i];
     p.entering = all.facing[i] <= 0;
     p.N = all.N[i];
-    p.is_smoothed = !(all.normal[i] == all.shading_normal[i]);
+    if constexpr (is_smoothed) p.is_smoothed = !(all.normal[i] == all.shading_normal[i]);
     if (HasNotMoved(ray, p.hit.t)) [[unlikely]] {
       SetDeparture(world, ray, p);
     } else {
@@ -140,7 +142,7 @@ class Completion {
       R3::SurfacePoint& at = surfaces.points[i]->at;
       at.normal = at.shading_normal = AsNormal(surfaces.normal[i]);
     }
-    Finish(world_, surfaces);
+    Finish<false>(world_, surfaces);
     surfaces.count = 0;
   }
 
@@ -153,7 +155,7 @@ class Completion {
   }
   void CompleteOthers() {
     FaceRays(others_);
-    Finish(world_, others_);
+    Finish<true>(world_, others_);
     others_.count = 0;
   }
 
