@@ -34,11 +34,7 @@ R2::Color Normalized(const WeightedSum& sum, R2::Quantization quantization) {
 
 BlockSums::BlockSums(const PixelRectangle& reach) : reach_(reach), sums_(static_cast<std::size_t>(reach.Area())) {}
 
-void BlockSums::Add(int column, int row, double x, double y, const R2::Color& sample, const Filter& filter) {
-  if (filter.IsBox()) {
-    sums_[Index(column, row)].Add(1, sample);
-    return;
-  }
+void BlockSums::Splat(int column, int row, double x, double y, const R2::Color& sample, const Filter& filter) {
   const int apron = filter.Apron();
   const PixelRectangle near = Common(reach_, Grown({column, row, column + 1, row + 1}, apron));
   double along_x[16];  // 2 apron + 1 of them

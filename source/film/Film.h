@@ -38,7 +38,12 @@ class BlockSums {
   explicit BlockSums(const PixelRectangle& reach);
 
   /// Splats a sample at x, y, in pixels from the lower left corner of the picture, taken in pixel (column, row).
-  void Add(int column, int row, double x, double y, const R2::Color& sample, const Filter& filter);
+  void Add(int column, int row, double x, double y, const R2::Color& sample, const Filter& filter) {
+    if (filter.IsBox())
+      sums_[Index(column, row)].Add(1, sample);
+    else
+      Splat(column, row, x, y, sample, filter);
+  }
 
   const PixelRectangle& Reach() const { return reach_; }
   const WeightedSum& At(int x, int y) const { return sums_[Index(x, y)]; }
@@ -54,6 +59,7 @@ class BlockSums {
     return static_cast<std::size_t>(y - reach_.y0) * static_cast<std::size_t>(reach_.Width()) +
            static_cast<std::size_t>(x - reach_.x0);
   }
+  void Splat(int column, int row, double x, double y, const R2::Color& sample, const Filter& filter);
 
   PixelRectangle reach_;
   std::vector<WeightedSum> sums_;

@@ -1,5 +1,6 @@
 #include "source/integrate/Tracer.h"
 
+#include <algorithm>
 #include <array>
 
 #include "source/integrate/shading/ShadingPoints.h"
@@ -9,7 +10,7 @@ namespace ray {
 void IntersectCameraRays(const Accelerator& accelerator, std::span<const CameraSample> samples, TraceState& state) {
   state.batch.clear();
   for (const CameraSample& sample : samples) state.batch.push_back(sample.ray);
-  state.hits.assign(samples.size(), {});
+  state.hits.resize(std::max(state.hits.size(), samples.size()));
   accelerator.Intersect(state.batch, state.hits.data(), state.workspace);
   state.Count(RayKind::camera, samples.size());
 }
