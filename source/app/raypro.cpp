@@ -27,6 +27,7 @@
 #include "source/app/report/ReadReplay.h"
 #include "source/app/report/RunLog.h"
 #include "source/parse/SceneError.h"
+#include "source/render/Flare.h"
 #include "source/render/forecast/FinishForecast.h"
 #include "source/text/Quoting.h"
 
@@ -71,7 +72,9 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
 std::vector<R2::Image> RenderLayers(const World& world, const Accelerator& accelerator, const Options& options) {
   std::vector<R2::Image> layers;
   for (const Layer layer : options.files.layers)
-    layers.push_back(Render(world, accelerator, SettingsForLayer(options.render, layer)).image);
+    layers.push_back(layer == Layer::flare
+                         ? FlareAlone(world, accelerator, options.render)
+                         : Render(world, accelerator, SettingsForLayer(options.render, layer)).image);
   return layers;
 }
 

@@ -27,6 +27,12 @@ const IntegratorKind& KindOf(RenderMode mode);
 /// Whether a mode shows costs, in the colors of HeatColor, rather than light or surfaces.
 inline bool ShowsCosts(RenderMode mode) { return KindOf(mode).shows_costs; }
 
+/// Whether the lights of the scene bear on what a mode shows.
+inline bool ShowsLight(RenderMode mode) {
+  return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::gooch ||
+         mode == RenderMode::toon || mode == RenderMode::hatching;
+}
+
 /// The integrator of a mode, with outlines where the settings ask for them.
 std::unique_ptr<const Integrator> MakeIntegrator(RenderMode mode, const World& world, const Accelerator& accelerator,
                                                  const TraceSettings& settings);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "R1/Elementary.h"
+#include "source/integrate/lights/LightSource.h"
 
 namespace ray {
 namespace {
@@ -57,7 +58,7 @@ class Flare {
  public:
   Flare(const World& world, const Accelerator& accelerator, const Camera& camera, const RenderSettings& settings)
       : accelerator_(accelerator), camera_(camera), settings_(settings), height_(settings.height) {
-    for (const auto& light : world.scene().lights)
+    for (const Light* light : LightsWithFlares(world, settings))
       if (const auto glare = GlareOf(*light)) glares_.push_back(*glare);
   }
 
@@ -86,7 +87,7 @@ class Flare {
     for (int i = 0; i < rays; ++i) {
       const R2::Point on_disc = OnDisc(i, rays);
       const R2::Point on_lamp{(i + 0.5) / rays, Radical(i)};
-      const auto sample = light.IsBlack() ? std::nullopt : light.Illuminate(camera_.eye, on_lamp);
+      const auto sample = light.Illuminate(camera_.eye, on_lamp);
       const auto place = sample ? PlaceOf(sample->to_light, camera_, settings_) : std::nullopt;
       if (!place || IsHidden(*sample, on_disc)) continue;
       const double luminance = Luminance(sample->irradiance);
@@ -161,9 +162,21 @@ class Flare {
 
 }  // namespace
 
+std::vector<const Light*> LightsWithFlares(const World& world, const RenderSettings& settings) {
+  return settings.mode == RenderMode::path ? LightsOfPath(world) : LightsOf(world.scene());
+}
+
 void AddFlare(const World& world, const Accelerator& accelerator, const Camera& camera, const RenderSettings& settings,
               R2::Image& image) {
   Flare(world, accelerator, camera, settings).AddTo(image, RegionOf(settings));
+}
+
+R2::Image FlareAlone(const World& world, const Accelerator& accelerator, const RenderSettings& settings) {
+  const PixelRectangle region = RegionOf(settings);
+  R2::Image image(region.Width(), region.Height());
+  const Camera camera = CameraOf(world, settings);
+  if (HasFlare(camera, settings)) AddFlare(world, accelerator, camera, settings, image);
+  return image;
 }
 
 }  // namespace ray

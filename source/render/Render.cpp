@@ -246,7 +246,7 @@ RenderResult Render(const World& world, const Accelerator& accelerator, const Re
                     const RenderMonitor& monitor) {
   RenderResult result = RenderWithoutFlare(world, accelerator, settings, monitor);
   const Camera camera = CameraOf(world, settings);
-  if (settings.flare > 0 && camera.IsPinhole()) AddFlare(world, accelerator, camera, settings, result.image);
+  if (HasFlare(camera, settings)) AddFlare(world, accelerator, camera, settings, result.image);
   return result;
 }
 

@@ -36,6 +36,8 @@ R2::ImageLayer ChannelsOf(Layer layer, R2::Image image) {
       return {{"albedo.R", "albedo.G", "albedo.B"}, std::move(image)};
     case Layer::id:
       return {{"id"}, std::move(image)};
+    case Layer::flare:
+      return {{"flare.R", "flare.G", "flare.B"}, std::move(image)};
   }
   return {};
 }
@@ -51,11 +53,11 @@ std::vector<std::pair<std::string, std::string>> ChannelsOfLayers() {
   return all;
 }
 
-RenderMode ModeOf(Layer layer) { return *Named<RenderMode>(NameOf(layer)); }
+std::optional<RenderMode> ModeOf(Layer layer) { return Named<RenderMode>(NameOf(layer)); }
 
 RenderSettings SettingsForLayer(const RenderSettings& picture, Layer layer) {
   RenderSettings settings = picture;
-  settings.mode = ModeOf(layer);
+  settings.mode = *ModeOf(layer);
   settings.budget = {};
   settings.replay.reset();
   settings.wants_passes = false;

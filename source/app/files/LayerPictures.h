@@ -19,10 +19,10 @@ R2::ImageLayer ChannelsOf(Layer layer, R2::Image image);
 /// The names of all layers, each with those of its channels, "N.X N.Y N.Z".
 std::vector<std::pair<std::string, std::string>> ChannelsOfLayers();
 
-/// The mode that shows nothing but the layer.
-RenderMode ModeOf(Layer layer);
+/// The mode that shows nothing but the layer; there is none for the flare.
+std::optional<RenderMode> ModeOf(Layer layer);
 
-/// How a layer is rendered beside a picture: with the same camera rays, but for depths and ids, whose means over an
+/// How a layer that is a mode is rendered beside a picture: with the same camera rays, but for depths and ids, whose means over an
 /// edge would be of nothing that is there: these take one sample through the middle of each pixel and the box filter.
 RenderSettings SettingsForLayer(const RenderSettings& picture, Layer layer);
 

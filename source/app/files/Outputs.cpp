@@ -133,10 +133,11 @@ OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, cons
   const R2::ImageFormat& format = *outputs.format;
   const R2::ImageSettings settings = SettingsInPicture(record);
   const std::vector<Layer>& kinds = record.options.files.layers;
-  const auto encode = [&](RenderMode mode, const R2::Image& image) {
+  const auto encode = [&](std::optional<RenderMode> mode, const R2::Image& image) {
     const R2::ImageEncoding& encoding = record.options.encoding;
-    if (format.is_linear || IsShownAsItIs(mode)) return format.encode(image, encoding, settings);  // without a copy
-    return format.encode(LayerAsShown(mode, image), encoding, settings);
+    const bool is_shown_as_it_is = format.is_linear || !mode || IsShownAsItIs(*mode);
+    if (is_shown_as_it_is) return format.encode(image, encoding, settings);  // without a copy
+    return format.encode(LayerAsShown(*mode, image), encoding, settings);
   };
   if (format.encode_layers && !kinds.empty()) {
     std::vector<R2::ImageLayer> channels;

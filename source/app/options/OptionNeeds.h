@@ -48,6 +48,8 @@ inline constexpr OptionNeed mode_gooch = InMode<RenderMode::gooch>("without -mod
 inline constexpr OptionNeed mode_toon = InMode<RenderMode::toon>("without -mode toon");
 inline constexpr OptionNeed mode_hatching = InMode<RenderMode::hatching>("without -mode hatching");
 inline constexpr OptionNeed mode_path = InMode<RenderMode::path>("without -mode path");
+inline constexpr OptionNeed mode_of_light{[](const Options& o) { return ShowsLight(o.render.mode); },
+                                          "without a mode of light: whitted, path, gooch, toon or hatching"};
 inline constexpr OptionNeed colored_lamps{[](const Options& o) { return HasColoredLamps(o.render); },
                                           "without -mode whitted or -emission color"};
 inline constexpr OptionNeed error_of_tiles{

@@ -233,7 +233,7 @@ std::vector<OptionKind> PictureOptions() {
       {"srgb", both, image | in_scenes, {}, {}, Flag{AT(encoding.srgb)}, "", "picture",
        "linear workflow: decode 8-bit textures from sRGB, encode the image in sRGB"},
       {"layers", raypro, image | named_image, {}, {"list"}, WordOf<ReadLayerList, ShowLayerList>(AT(files.layers),
-        "some of depth, normal, uv, albedo and id, separated by commas", LayerNames, true), "", "picture",
+        "some of depth, normal, uv, albedo, id and flare, separated by commas", LayerNames, true), "", "picture",
        "extra output layers (AOVs): channels of an EXR, or files beside the image, out.depth.png"},
       {"bits", both, image | Needs{needs::png},
        {}, {"n"}, OneNumberOf{AT(encoding.bits), {8, 16}}, "bits per channel", "picture",
@@ -343,7 +343,7 @@ std::vector<OptionKind> DrawnModeOptions() {
       {"outline", both, image | in_scenes,
        {}, {"w"}, Number<double>{AT(render.trace.outline.width), 0, highest<double>}, "pixels", "light",
        "draw black lines of this width along silhouettes and creases; 0: none"},
-      {"flare", raypro, image | in_scenes,
+      {"flare", raypro, image | in_scenes | Needs{needs::mode_of_light},
        {}, {"s"}, Number<double>{AT(render.flare), 0, highest<double>}, "", "light",
        "brightness factor of lens flares around lamps in view; 0: none"},
   };

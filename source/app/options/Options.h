@@ -11,8 +11,8 @@
 #include "source/app/options/Program.h"
 #include "source/app/raygrade/Options.h"
 #include "source/app/rayimg/Options.h"
-#include "source/integrate/modes/Layer.h"
 #include "source/parse/Parse.h"
+#include "source/render/Layer.h"
 #include "source/render/Render.h"
 
 namespace ray {

@@ -8,6 +8,7 @@
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/Preset.h"
 #include "source/parse/Text.h"
+#include "source/text/EnumNames.h"
 #include "source/text/Suggestion.h"
 #include "source/text/Words.h"
 
@@ -99,6 +100,11 @@ void CheckFlare(const Camera& camera, const Options& options) {
   if (options.render.flare > 0 && !camera.IsPinhole())
     throw UsageError("-flare has no effect with -projection " + std::string(camera.kind->name) +
                      "; only a pinhole camera's image has lens flares");
+  if (std::ranges::find(options.files.layers, Layer::flare) == options.files.layers.end()) return;
+  if (!(options.render.flare > 0)) throw UsageError("-layers flare needs -flare above 0");
+  if (!ShowsLight(options.render.mode))
+    throw UsageError(std::string("-layers flare has no effect with -mode ") + NameOf(options.render.mode) +
+                     ", which has no lens flares");
 }
 
 /// Settings that contradict each other are the scene's mistake where it makes all of them, and told at the first;

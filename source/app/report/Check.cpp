@@ -9,6 +9,7 @@
 
 #include "source/app/report/ContactCheck.h"
 #include "source/app/report/LampCheck.h"
+#include "source/render/Flare.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
@@ -73,12 +74,6 @@ void Point(std::vector<std::string>& mistakes, const World& world, const std::st
                      (count > 1 ? " (and " + std::to_string(count - 1) + " more)" : ""));
 }
 
-/// Whether the lights of the scene bear on the picture.
-bool ShowsLight(RenderMode mode) {
-  return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::gooch ||
-         mode == RenderMode::toon || mode == RenderMode::hatching;
-}
-
 bool ReflectsAmbientLight(const Instance& instance) { return !IsBlack(instance.material->ka); }
 
 bool IsLit(const World& world) {
@@ -132,6 +127,8 @@ std::vector<std::string> SceneMistakes(const World& world, const RenderSettings&
     mistakes.push_back(warning + "nothing in the scene is in view of the camera");
   if (ShowsLight(settings.mode) && !IsLit(world))
     mistakes.push_back(warning + "the scene is unlit" + (scene.lights.empty() ? "" : "; every light is black"));
+  if (HasFlare(camera, settings) && LightsWithFlares(world, settings).empty())
+    mistakes.push_back(warning + "-flare has no effect without a light; what emits has no lens flare");
   if (const int solids = ObstaclesAround(world, camera.eye, ask_meshes); solids > 0)
     mistakes.push_back(warning + "the camera is inside " + Counted(static_cast<std::uint64_t>(solids), "shape"));
   return mistakes;

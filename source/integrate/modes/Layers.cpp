@@ -1,4 +1,4 @@
-// The modes that show a layer each, as numbers; see Layer.h.
+// The modes that show what is known of the first surface, as numbers; see source/render/Layer.h.
 #include "source/integrate/modes/FirstHit.h"
 
 namespace ray {

@@ -335,6 +335,8 @@ TEST(Raypro, WarnsOfOptionsForWantOfOthers) {
       {{"-emissive_solids", "on", "-mode", "path"},
        "-emissive_solids has no effect without -mode whitted or -emission color\n"},
       {{"-confidence", ".99"}, "-confidence has no effect without -error, -time"},
+      {{"-mode", "normal", "-flare", "1"},
+       "-flare has no effect without a mode of light: whitted, path, gooch, toon or hatching\n"},
       {{"-out_format", "ppm"}, "-out_format has no effect without -out_folder\n"},
       {{"-accel", "none", "-accel_res", "3"}, "-accel_res has no effect with -accel none or graph\n"},
       {{"-accel", "bvh", "-accel_res", "9"}, "-accel_res has no effect above 8 with -accel bvh\n"},

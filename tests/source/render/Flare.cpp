@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
+#include "source/text/EnumNames.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -92,6 +94,58 @@ TEST(Flare, IsThatOfTheWholeInAPartAndForEveryAccelerator) {
     for (int y = 0; y < 40; ++y)
       for (int x = 0; x < 50; ++x) ASSERT_EQ(part.At(x, y), whole.At(x + 20, y + 10)) << kind->name;
   }
+}
+
+RenderSettings FlaringSettings(RenderMode mode, double flare = 1) {
+  RenderSettings settings;
+  settings.width = flare_width, settings.height = flare_height;
+  settings.mode = mode;
+  settings.flare = flare;
+  return settings;
+}
+
+TEST(Flare, AloneIsWhatItAddsToTheImage) {
+  const project::Stage stage(project::FromText(
+      TextOf("ambient .3 .3 .3 point_light 1 .8 .5  2 1 -10  1 0 0 point_light .3 .3 1  -2 1 -10  1 0 0 "
+             "sphere -1  0 0 -20 3")));
+  for (const auto crop : {std::optional<PixelRectangle>(), std::optional(PixelRectangle{20, 10, 70, 50})}) {
+    RenderSettings settings = FlaringSettings(RenderMode::whitted);
+    settings.crop = crop;
+    const R2::Image with = project::Render(stage, settings).image;
+    const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
+    const R2::Image alone = FlareAlone(stage.world, *accelerator, settings);
+    settings.flare = 0;
+    const R2::Image without = project::Render(stage, settings).image;
+    ASSERT_GT(Sum(with), Sum(without) + 1);
+    // Two glares with eight discs each: at most 16 sums, each rounded to half a unit in the last place of a float.
+    for (std::size_t i = 0; i < with.Channels().size(); ++i)
+      ASSERT_NEAR(with.Channels()[i] - alone.Channels()[i], without.Channels()[i], 16 * 0x1p-24 * with.Channels()[i]);
+  }
+}
+
+TEST(Flare, IsOnlyInModesThatShowLight) {
+  const project::Stage stage(
+      project::FromText(TextOf("point_light 1 1 1  2 1 -10  1 0 0 sphere -1  0 0 -20 3")));
+  int of_light = 0;
+  for (const char* name : render_modes) {
+    const RenderMode mode = *Named<RenderMode>(name);
+    const auto with = project::Render(stage, FlaringSettings(mode)).image;
+    const auto without = project::Render(stage, FlaringSettings(mode, 0)).image;
+    EXPECT_EQ(Sum(with) > Sum(without), ShowsLight(mode)) << name;
+    EXPECT_NE(std::ranges::equal(with.Channels(), without.Channels()), ShowsLight(mode)) << name;
+    of_light += ShowsLight(mode);
+  }
+  EXPECT_EQ(of_light, 5);
+}
+
+TEST(Flare, OfDefaultLightsIsNoneWhereSurfacesShineInTheirStead) {
+  // The default lights are directional; the first comes from behind the camera's back, seen when it is turned around.
+  Scene scene = project::FromText("camera 0 0 0  1 1 1  0 1 0  1.2  1 100\n"
+                                  "material 0 0 0 0 0 0 0 0 0 0 0 0 1 1 1 1 1 0 sphere 0  -9 -9 -9 1\n");
+  ASSERT_TRUE(scene.has_default_lights);
+  const project::Stage stage(std::move(scene));
+  EXPECT_GT(Sum(project::Render(stage, FlaringSettings(RenderMode::whitted)).image), 1);
+  EXPECT_EQ(Sum(project::Render(stage, FlaringSettings(RenderMode::path)).image), 0);
 }
 
 }  // namespace

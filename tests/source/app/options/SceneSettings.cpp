@@ -119,5 +119,23 @@ TEST(SceneSettings, ThatContradictWhatWasTypedAreNamedWithTheirPlace) {
             "-aperture needs -focus, the focus distance");
 }
 
+TEST(SceneSettings, ALayerOfFlareNeedsAFlare) {
+  const auto refusal = [](const std::vector<SceneSetting>& settings, std::vector<std::string> words) {
+    words.insert(words.end(), {"-layers", "depth,flare"});
+    try {
+      WithSettingsOf(With(settings), Typed(std::move(words)));
+    } catch (const UsageError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(refusal({}, {}), "-layers flare needs -flare above 0");
+  EXPECT_EQ(refusal({}, {"-flare", "1", "-mode", "normal"}),
+            "-layers flare has no effect with -mode normal, which has no lens flares");
+  EXPECT_EQ(refusal({}, {"-flare", "1"}), "none");
+  EXPECT_EQ(refusal({{"flare", "1", "a.scn:1:5"}}, {"-mode", "path"}), "none");
+  EXPECT_EQ(refusal({{"flare", "1", "a.scn:1:5"}}, {"-flare", "0"}), "-layers flare needs -flare above 0");
+}
+
 }  // namespace
 }  // namespace ray

@@ -130,6 +130,18 @@ RenderSettings Of(RenderMode mode) {
   return settings;
 }
 
+TEST(Check, AFlareWithoutALightIsPointedOut) {
+  const std::string warning = "-flare has no effect without a light; what emits has no lens flare";
+  const std::string lamp = "material 0 0 0  0 0 0  0 0 0  0 0 0  9 9 9  1 1 0\nsphere 0  0 0 0  1\n";
+  RenderSettings settings = Of(RenderMode::path);
+  settings.flare = 1;
+  EXPECT_TRUE(Has(Example(camera + lamp).Mistakes(settings), warning));
+  EXPECT_FALSE(Has(Example(camera + lamp + "point_light 1 1 1  0 5 0  1 0 0\n").Mistakes(settings), warning));
+  EXPECT_FALSE(Has(Example(camera + lamp).Mistakes(Of(RenderMode::path)), warning));
+  settings.mode = RenderMode::depth;
+  EXPECT_FALSE(Has(Example(camera + lamp).Mistakes(settings), warning)) << "which shows no light anyway";
+}
+
 TEST(Check, ASceneInTheDarkIsNoMistakeWhereLightsDoNotBear) {
   const Example dark(camera + "sphere -1  0 0 0  1\npoint_light 0 0 0  0 5 0  1 0 0\n");
   for (const RenderMode mode : {RenderMode::whitted, RenderMode::path, RenderMode::gooch, RenderMode::toon})

@@ -1,5 +1,4 @@
 #include "source/integrate/modes/FirstHit.h"
-#include "source/integrate/modes/Layer.h"
 #include "tests/Named.h"
 
 #include <gtest/gtest.h>
@@ -168,7 +167,7 @@ TEST(FirstHit, IdsNumberThePrimitivesInTheOrderOfTheFile) {
 
 TEST(FirstHit, CostsOneRayAPixelAndNoOther) {
   const project::Stage stage = Balls();
-  for (const char* mode : layer_names) {
+  for (const char* mode : {"depth", "normal", "uv", "albedo", "id"}) {
     RenderSettings settings;
     settings.width = settings.height = 8;
     settings.mode = project::Named{mode};
