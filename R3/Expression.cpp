@@ -1,5 +1,7 @@
 #include "R3/Expression.h"
 
+#include <utility>
+
 #include "R3/ExpressionParser.h"
 
 namespace R3 {
@@ -9,6 +11,8 @@ double Exp(double x) { return R1::Exp(x); }
 double Log(double x) { return R1::Log(x); }
 double Sin(double x) { return R1::Sin(x); }
 double Cos(double x) { return R1::Cos(x); }
+R1::SineCosine SinCos(double x) { return R1::SinCos(x); }
+std::pair<Interval, Interval> SinCos(const Interval& x) { return {Sin(x), Cos(x)}; }
 double Sqrt(double x) { return std::sqrt(x); }
 double Abs(double x) { return std::abs(x); }
 double WholePower(double x, std::uint32_t n) { return R1::WholePower(x, n); }
@@ -60,11 +64,13 @@ Slope<N> Log(const Slope<N>& a) {
 }
 template <typename N>
 Slope<N> Sin(const Slope<N>& a) {
-  return {Sin(a.value), Cos(a.value) * a.slope};
+  const auto [sine, cosine] = SinCos(a.value);
+  return {sine, cosine * a.slope};
 }
 template <typename N>
 Slope<N> Cos(const Slope<N>& a) {
-  return {Cos(a.value), -Sin(a.value) * a.slope};
+  const auto [sine, cosine] = SinCos(a.value);
+  return {cosine, -sine * a.slope};
 }
 template <typename N>
 Slope<N> Sqrt(const Slope<N>& a) {
@@ -92,13 +98,6 @@ template <typename N>
 Slope<N> Abs(const Slope<N>& a) {
   const Slope<N> smaller = Min(a, -a);
   return {Abs(a.value), -smaller.slope};
-}
-
-template <typename N>
-N Power(const N& base, int n) {
-  if (n == 0) return N(1.0);
-  const N power = WholePower(base, static_cast<std::uint32_t>(std::abs(n)));
-  return n > 0 ? power : N(1.0) / power;
 }
 
 }  // namespace
@@ -130,7 +129,7 @@ Number Expression::At(const Number& x, const Number& y, const Number& z, std::ve
         case Operation::divide:
           return a / b;
         case Operation::power:
-          return Power(a, static_cast<int>(step.number));
+          return WholePower(a, static_cast<std::uint32_t>(step.number));
         case Operation::sin:
           return Sin(a);
         case Operation::cos:
@@ -151,7 +150,7 @@ Number Expression::At(const Number& x, const Number& y, const Number& z, std::ve
       return Number(0.0);
     }();
   }
-  return values.back();
+  return values[result_];
 }
 
 template double Expression::At(const double&, const double&, const double&, std::vector<double>&) const;

@@ -65,15 +65,22 @@ class Expression {
 
  private:
   friend class ExpressionParser;
-  /// One operation on the results of earlier ones.
+  friend class FormulaLanes;
+  /// One operation on the results of earlier ones. No two are alike.
   struct Step {
     Operation operation;
     std::size_t a = 0, b = 0;
-    double number = 0;  // or the exponent
+    double number = 0;  // or the exponent, 1 or more
+    friend bool operator==(const Step&, const Step&) = default;
+
+    /// Whether step b, of a sine, is the cosine of the same or the other way around; else, of what has one operand, b
+    /// is a.
+    bool HasTwin() const { return a != b; }
   };
 
   std::string text_;
   std::vector<Step> steps_;
+  std::size_t result_ = 0;  // the step whose result is the formula's
 };
 
 }  // namespace R3

@@ -29,7 +29,7 @@ bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') 
 }  // namespace
 
 void ExpressionParser::Parse() {
-  Sum();
+  expression_.result_ = Sum();
   if (Next() != 0) Refuse();
 }
 
@@ -79,9 +79,15 @@ std::size_t ExpressionParser::Factor() {
 std::size_t ExpressionParser::Power() {
   const std::size_t base = Primary();
   if (!Takes('^')) return base;
-  const std::size_t power = Add(Operation::power, base, 0, Exponent());
+  const std::size_t power = WholePower(base, Exponent());
   if (Next() == '^') throw ExpressionError(at_, 1, "a power of a power needs brackets", "(x^2)^3");
   return power;
+}
+
+std::size_t ExpressionParser::WholePower(std::size_t base, int n) {
+  if (n == 0) return Add(Operation::number, 0, 0, 1);
+  const std::size_t power = Add(Operation::power, base, base, std::abs(static_cast<double>(n)));
+  return n > 0 ? power : Add(Operation::divide, Add(Operation::number, 0, 0, 1), power);
 }
 
 int ExpressionParser::Exponent() {
@@ -142,15 +148,31 @@ std::size_t ExpressionParser::Call(std::string_view name, std::size_t start) {
     b = Sum();
   }
   Expect(')');
-  if (is_tangent) return Add(Operation::divide, Add(Operation::sin, a), Add(Operation::cos, a));
+  if (is_tangent) return Add(Operation::divide, Add(Operation::sin, a, a), Add(Operation::cos, a, a));
   return Add(function->operation, a, b);
 }
 
 std::size_t ExpressionParser::Add(Operation operation, std::size_t a, std::size_t b, double number) {
-  if (expression_.steps_.size() == most_steps)
+  if (++operations_ > most_steps)
     throw ExpressionError(0, text_.size(), "the formula has more than 1000 operations");
-  expression_.steps_.push_back({operation, a, b, number});
-  return expression_.steps_.size() - 1;
+  // x x is x^2, whose bounds are narrower: it is nowhere below 0.
+  if (operation == Operation::multiply && a == b) return Known({Operation::power, a, a, 2});
+  return Known({operation, a, b, number});
+}
+
+std::size_t ExpressionParser::Known(Expression::Step step) {
+  auto& steps = expression_.steps_;
+  const bool is_sine = step.operation == Operation::sin;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const bool is_like = steps[i].a == step.a && steps[i].number == step.number;
+    const bool is_trigonometric = steps[i].operation == Operation::sin || steps[i].operation == Operation::cos;
+    if (is_like && steps[i].operation == step.operation && (steps[i].b == step.b || is_trigonometric)) return i;
+    if (is_like && steps[i].operation == (is_sine ? Operation::cos : Operation::sin) &&
+        (is_sine || step.operation == Operation::cos))
+      step.b = i;
+  }
+  steps.push_back(step);
+  return steps.size() - 1;
 }
 
 void ExpressionParser::SkipBlanks() {

@@ -32,7 +32,10 @@ class ExpressionParser {
   std::size_t Call(std::string_view name, std::size_t start);
   int Exponent();
 
+  std::size_t WholePower(std::size_t base, int n);
   std::size_t Add(Operation operation, std::size_t a = 0, std::size_t b = 0, double number = 0);
+  /// The step that comes to the same, a new one unless there is one already.
+  std::size_t Known(Expression::Step step);
   void SkipBlanks();
   /// 0 at the end.
   char Next();
@@ -42,7 +45,7 @@ class ExpressionParser {
 
   Expression& expression_;
   const std::string& text_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, operations_ = 0;
   int depth_ = 0;
 };
 

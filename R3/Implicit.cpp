@@ -4,35 +4,46 @@
 #include <array>
 #include <cmath>
 
+#include "R3/shapes/FormulaLanes.h"
 #include "R3/shapes/PlanarUv.h"
 #include "R3/shapes/Span.h"
 
 namespace R3 {
 namespace {
 
+/// Whether a formula is below 0 at places of a ray; where it is not defined it is not.
+class InsideTest {
+ public:
+  InsideTest(const Expression& formula, const Ray& ray) : formula_(formula), ray_(ray) {}
+
+  bool operator()(double t) {
+    const Point p = ray_.At(t);
+    return formula_.At(p.x, p.y, p.z, values_) < 0;
+  }
+
+ private:
+  const Expression& formula_;
+  const Ray& ray_;
+  std::vector<double> values_;
+};
+
 /// A formula along the line of a ray.
 class FormulaOnLine {
  public:
-  FormulaOnLine(const Expression& formula, const Ray& ray) : formula_(formula), ray_(ray) {}
-
-  /// Whether the place is inside; where the formula is not defined it is not.
-  bool IsInside(double t) {
-    const Point p = ray_.At(t);
-    return formula_.At(p.x, p.y, p.z, numbers_) < 0;
-  }
+  FormulaOnLine(const Expression& formula, const Ray& ray, InsideTest& is_inside)
+      : is_inside_(is_inside), lanes_(formula, ray) {}
 
   /// The first change between inside and outside after t_min. Which changes there are does not depend on t_min.
   std::optional<double> FirstChange(double low, double high, double t_min) {
     shortest_ = 64 * unit_roundoff * std::max(std::abs(low), std::abs(high));
-    std::vector<Stretch> waiting{{low, high, IsInside(low), IsInside(high), most_halvings, State::undecided}};
-    waiting[0].state = StateOf(waiting[0]);
+    std::vector<Stretch> waiting{{low, high, is_inside_(low), is_inside_(high), most_divisions, State::undecided}};
     while (!waiting.empty()) {
       const Stretch stretch = waiting.back();
       waiting.pop_back();
       if (!(stretch.high > t_min) || stretch.state == State::unchanged) continue;
-      const bool is_short = stretch.high - stretch.low <= shortest_ || stretch.halvings == 0;
+      const bool is_short = stretch.high - stretch.low <= shortest_ || stretch.divisions == 0;
       if (stretch.state == State::undecided && !is_short) {
-        Halve(stretch, waiting);
+        Divide(stretch, waiting);
       } else if (stretch.begins_inside != stretch.ends_inside) {
         const double t = ChangeIn(stretch);
         if (t > t_min) return t;
@@ -47,67 +58,133 @@ class FormulaOnLine {
   struct Stretch {
     double low, high;
     bool begins_inside, ends_inside;
-    int halvings;  // that may still be spent on it
+    int divisions;  // that may still be spent on it
     State state;
   };
+  static constexpr std::size_t parts = Lanes::count;
 
-  // A ray that lies in the surface would be halved without end. A stretch shares what it has among the halves that need
-  // any, so that what is spent on one place does not depend on what is asked of others.
-  static constexpr int most_halvings = 1 << 14;
+  // A ray that lies in the surface would be divided without end. A stretch shares what it has among the parts that need
+  // any, so that what is spent on one place does not depend on what is asked of others. This is enough for five
+  // divisions of everything.
+  static constexpr int most_divisions = 1 + 8 + 64 + 512 + 4096;
 
-  void Halve(const Stretch& s, std::vector<Stretch>& waiting) {
-    const double middle = s.low + (s.high - s.low) / 2;
-    const bool is_inside = IsInside(middle);
-    Stretch first{s.low, middle, s.begins_inside, is_inside, 0, State::undecided};
-    Stretch second{middle, s.high, is_inside, s.ends_inside, 0, State::undecided};
-    first.state = StateOf(first), second.state = StateOf(second);
-    const bool are_both = first.state == State::undecided && second.state == State::undecided;
-    first.halvings = second.halvings = are_both ? (s.halvings - 1) / 2 : s.halvings - 1;
-    waiting.push_back(second);
-    waiting.push_back(first);
+  void Divide(const Stretch& s, std::vector<Stretch>& waiting) {
+    // In two where parts would be shorter than rounding.
+    const std::size_t count = s.high - s.low > parts * shortest_ / 2 ? parts : 2;
+    const double width = (s.high - s.low) / static_cast<double>(count);
+    Lanes ends;
+    for (std::size_t i = 0; i < parts; ++i)
+      ends.at[i] = i + 1 < count ? s.low + static_cast<double>(i + 1) * width : s.high;
+    std::array<bool, parts> is_inside{};
+    AskWhichAreInside(ends, count, is_inside);
+    is_inside[count - 1] = s.ends_inside;
+    std::array<State, parts> states{};
+    AskForStates(s.low, ends, states);
+    const auto undecided =
+        std::count(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(count), State::undecided);
+    const int divisions = undecided > 0 ? (s.divisions - 1) / static_cast<int>(undecided) : 0;
+    for (std::size_t i = count; i-- > 0;)
+      if (states[i] != State::unchanged)
+        waiting.push_back({i > 0 ? ends.at[i - 1] : s.low, ends.at[i], i > 0 ? is_inside[i - 1] : s.begins_inside,
+                           is_inside[i], divisions, states[i]});
   }
 
-  /// What intervals say of the formula from `low` to `high`. Around the middle, the slope anywhere says how far its
-  /// value may change, which for short stretches is much less than evaluating the formula on all of it.
-  State StateOf(const Stretch& s) {
-    const Interval all{s.low, s.high};
-    const auto place = [&](int axis) { return Interval(ray_.origin[axis]) + Interval(ray_.direction[axis]) * all; };
-    const Interval x = place(0), y = place(1), z = place(2);
-    // Most stretches are far from the surface, and slopes take three times as long.
-    if (!formula_.At(x, y, z, intervals_).Holds(0)) return State::unchanged;
-    const auto f = formula_.At(Slope<Interval>(x, ray_.direction.x), Slope<Interval>(y, ray_.direction.y),
-                               Slope<Interval>(z, ray_.direction.z), slopes_);
-    if (!f.slope.Holds(0) && f.slope.low > -infinity && f.slope.high < infinity) return State::monotonic;
-    const double middle = s.low + (s.high - s.low) / 2;
-    const auto at = [&](double o, double d) { return Interval(o) + Interval(d) * Interval(middle); };
-    const Interval m = formula_.At(at(ray_.origin.x, ray_.direction.x), at(ray_.origin.y, ray_.direction.y),
-                                   at(ray_.origin.z, ray_.direction.z), intervals_);
-    return (m + f.slope * (all - Interval(middle))).Holds(0) ? State::undecided : State::unchanged;
+  void AskWhichAreInside(const Lanes& t, std::size_t count, std::array<bool, parts>& is_inside) {
+    if (count == 2) {
+      is_inside[0] = is_inside_(t.at[0]);
+      return;
+    }
+    const Lanes& values = lanes_.At(t);
+    for (std::size_t i = 0; i < parts; ++i) is_inside[i] = values.at[i] < 0;
   }
 
-  /// Newton's method within a bracket, which is halved where a step leaves it or is not half of the last one.
+  /// What intervals say of the formula from each end to the next, the first beginning at `low`. Around the middle, the
+  /// slope anywhere says how far its value may change, which for short stretches is much less than evaluating the
+  /// formula on all of it.
+  void AskForStates(double low, const Lanes& ends, std::array<State, parts>& states) {
+    IntervalLanes t;
+    for (std::size_t i = 0; i < parts; ++i) t.Set(i, {i > 0 ? ends.at[i - 1] : low, ends.at[i]});
+    const IntervalLanes& values = lanes_.In(t);
+    bool are_decided = true;
+    for (std::size_t i = 0; i < parts; ++i) {
+      states[i] = values[i].Holds(0) ? State::undecided : State::unchanged;
+      are_decided &= states[i] != State::undecided;
+    }
+    if (are_decided) return;  // most stretches are far from the surface
+    const IntervalLanes slopes = lanes_.Slopes();
+    are_decided = true;
+    for (std::size_t i = 0; i < parts; ++i) {
+      const Interval slope = slopes[i];
+      if (states[i] == State::undecided && !slope.Holds(0) && slope.low > -infinity && slope.high < infinity)
+        states[i] = State::monotonic;
+      are_decided &= states[i] != State::undecided;
+    }
+    if (are_decided) return;
+    IntervalLanes middles;
+    for (std::size_t i = 0; i < parts; ++i) middles.Set(i, t[i].low + (t[i].high - t[i].low) / 2);
+    const IntervalLanes& at_middles = lanes_.In(middles);
+    for (std::size_t i = 0; i < parts; ++i)
+      if (states[i] == State::undecided && !(at_middles[i] + slopes[i] * (t[i] - middles[i])).Holds(0))
+        states[i] = State::unchanged;
+  }
+
+  /// A place where the formula changes, by brackets that eight values at a time make narrower: at first evenly, then
+  /// ever closer to where interpolation expects the root, which needs no slopes and ends in four steps or five.
   double ChangeIn(const Stretch& s) {
-    double low = s.low, high = s.high, step = high - low, t = low + step / 2;
+    double low = s.low, high = s.high;
+    Lanes t;
+    SpreadEvenly(low, high, t);
     for (;;) {
-      const Point p = ray_.At(t);
-      const auto f = formula_.At(Slope<double>(p.x, ray_.direction.x), Slope<double>(p.y, ray_.direction.y),
-                                 Slope<double>(p.z, ray_.direction.z), tangents_);
-      ((f.value < 0) == s.begins_inside ? low : high) = t;
-      double next = t - f.value / f.slope;
-      if (!(next > low && next < high && std::abs(next - t) < step / 2)) next = low + (high - low) / 2;
-      step = std::abs(next - t);
-      if (step <= 2 * unit_roundoff * std::abs(t)) return next;
-      t = next;
+      const Lanes& f = lanes_.At(t);
+      std::size_t k = 0;  // the first that is not as the stretch begins
+      while (k < parts && (f.at[k] < 0) == s.begins_inside) ++k;
+      const double width = high - low;
+      if (k > 0) low = t.at[k - 1];
+      if (k < parts) high = t.at[k];
+      const double middle = low + (high - low) / 2, rounding = 2 * unit_roundoff * std::abs(middle);
+      if (high - low <= 2 * rounding || middle == low || middle == high) return middle;
+      const bool is_stuck = !(high - low < width / 2);
+      const std::size_t first = std::clamp<std::size_t>(k, 2, parts - 1) - 2;
+      if (is_stuck || !SpreadAround(Guess(t, f, first), low, high, t)) SpreadEvenly(low, high, t);
     }
   }
 
-  const Expression& formula_;
-  const Ray& ray_;
+  static void SpreadEvenly(double low, double high, Lanes& t) {
+    const double width = high - low;
+    for (std::size_t i = 0; i < parts; ++i) t.at[i] = low + width * (static_cast<double>(i + 1) / (parts + 1));
+  }
+
+  struct Root {
+    double t, error;
+  };
+  /// Where three places and their values say that a root is, and how sure that is: by inverse interpolation, linear and
+  /// quadratic.
+  ///   source   Brent, Algorithms for Minimization without Derivatives (1973), chapter 4
+  static Root Guess(const Lanes& t, const Lanes& f, std::size_t i) {
+    const double a = t.at[i], b = t.at[i + 1], c = t.at[i + 2], fa = f.at[i], fb = f.at[i + 1], fc = f.at[i + 2];
+    const double ab = (b - a) / (fb - fa), bc = (c - b) / (fc - fb);
+    const double linear = b - fb * bc, correction = fb * fc * (bc - ab) / (fc - fa);
+    return {linear + correction, std::abs(correction) / 8};
+  }
+
+  /// Places on both sides of a root, each farther from it by the same factor.
+  ///   returns   false where the root is not between the ends
+  static bool SpreadAround(const Root& root, double low, double high, Lanes& t) {
+    if (!(root.t > low && root.t < high)) return false;
+    const double nearest = std::max(root.error, 1.5 * unit_roundoff * std::abs(root.t));
+    const auto factor = [&](double reach) { return std::sqrt(std::sqrt(std::max(reach / nearest, 1.0))); };
+    const double below = factor(root.t - low), above = factor(high - root.t);
+    double down = nearest, up = nearest;
+    for (std::size_t i = 0; i < parts / 2; ++i, down *= below, up *= above) {
+      t.at[parts / 2 - 1 - i] = std::max(root.t - down, low);
+      t.at[parts / 2 + i] = std::min(root.t + up, high);
+    }
+    return true;
+  }
+
+  InsideTest& is_inside_;
+  FormulaLanes lanes_;
   double shortest_ = 0;
-  std::vector<double> numbers_;
-  std::vector<Interval> intervals_;
-  std::vector<Slope<double>> tangents_;
-  std::vector<Slope<Interval>> slopes_;
 };
 
 }  // namespace
@@ -124,13 +201,14 @@ std::optional<Hit> Implicit::Intersect(const Ray& ray, int) const {
     ClipToSlab(span, box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis], 2 * axis, 2 * axis + 1);
   if (!(span.enter < span.leave) || !std::isfinite(span.enter) || !std::isfinite(span.leave)) return {};
   if (span.leave <= ray.t_min || span.enter >= ray.t_max) return {};
-  FormulaOnLine formula(formula_, ray);
+  InsideTest is_inside(formula_, ray);
   const auto before_end = [&](double t, int part) {
     return t < ray.t_max ? std::optional(Hit{.t = t, .part = part}) : std::nullopt;
   };
-  if (span.enter > ray.t_min && formula.IsInside(span.enter)) return before_end(span.enter, span.enter_part);
+  if (span.enter > ray.t_min && is_inside(span.enter)) return before_end(span.enter, span.enter_part);
+  FormulaOnLine formula(formula_, ray, is_inside);
   if (const auto t = formula.FirstChange(span.enter, span.leave, ray.t_min)) return before_end(*t, surface);
-  if (formula.IsInside(span.leave)) return before_end(span.leave, span.leave_part);
+  if (is_inside(span.leave)) return before_end(span.leave, span.leave_part);
   return {};
 }
 

@@ -9,10 +9,10 @@ namespace R3 {
 /// box's faces. Where the formula is not defined is outside.
 ///
 /// Along a ray, stretches in which interval arithmetic excludes 0 hold no crossing. In stretches in which it excludes 0
-/// for the slope there is one if the signs at the ends differ, and it is found to the last bits. Others are halved, the
-/// nearer half first, so that nothing is stepped over: what is found is proven to be nearest. What cannot be decided
-/// before it is as short as rounding, as where a ray touches the surface, or where the formula jumps, is decided by the
-/// signs at its ends.
+/// for the slope there is one if the signs at the ends differ, and it is found to the last bits. Others are divided in
+/// eight, which are looked at together, and the nearest of these goes first, so that nothing is stepped over: what is
+/// found is proven to be nearest. What cannot be decided before it is as short as rounding, as where a ray touches the
+/// surface, or where the formula jumps, is decided by the signs at its ends.
 ///   source   Moore, Interval Analysis (1966); Mitchell, Robust ray intersection with interval arithmetic (1990)
 class Implicit : public Shape {
  public:

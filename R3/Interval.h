@@ -23,13 +23,18 @@ struct Interval {
   bool Holds(double x) const { return low <= x && x <= high; }
 };
 
+/// Which of two, without a branch.
+inline Interval Choice(bool is_first, const Interval& a, const Interval& b) {
+  return {is_first ? a.low : b.low, is_first ? a.high : b.high};
+}
+
 /// Wider by at least so many last bits at both ends; all numbers where an end is none. A share of 2^-52 is one last bit
 /// or two, and the least normal number is more where that is lost: cheaper than NextUp, since it needs no branch.
 inline Interval Outward(double low, double high, int bits = 1) {
   constexpr double least = std::numeric_limits<double>::min();
   const double share = bits * 2 * unit_roundoff, ends = bits * least;
   const Interval wider{low - (std::abs(low) * share + ends), high + (std::abs(high) * share + ends)};
-  return wider.low <= wider.high ? wider : Interval::Whole();
+  return Choice(wider.low <= wider.high, wider, Interval::Whole());
 }
 
 inline Interval Hull(const Interval& a, const Interval& b) {
@@ -41,12 +46,12 @@ inline Interval operator+(const Interval& a, const Interval& b) { return Outward
 inline Interval operator-(const Interval& a, const Interval& b) { return Outward(a.low - b.high, a.high - b.low); }
 inline Interval operator*(const Interval& a, const Interval& b) {
   const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
-  if (std::isnan(p + q + (r + s))) return Interval::Whole();  // as also where some are infinite
-  return Outward(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
+  const bool are_numbers = !std::isnan(p + q + (r + s));  // nor are some infinite
+  const Interval product = Outward(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
+  return Choice(are_numbers, product, Interval::Whole());
 }
 inline Interval operator/(const Interval& a, const Interval& b) {
-  if (b.Holds(0)) return Interval::Whole();
-  return a * Outward(1 / b.high, 1 / b.low);
+  return Choice(b.Holds(0), Interval::Whole(), a * Outward(1 / b.high, 1 / b.low));
 }
 
 // Functions of R1 are off by less than an ulp.
