@@ -106,6 +106,11 @@ inline void SinCosEach(const IntervalLanes& a, IntervalLanes& sines, IntervalLan
 
 }  // namespace
 
+template <typename Made>
+inline void FormulaLanes::ForEachStep(const Made& made) {
+  for (std::size_t i = 0; i < formula_.steps_.size(); ++i) made(formula_.steps_[i], cells_[i]);
+}
+
 inline void FormulaLanes::Value(const Step& step, const IntervalLanes& t, Cell& cell) const {
   const IntervalLanes &a = cells_[step.a].value, &b = cells_[step.b].value;
   IntervalLanes& value = cell.value;
@@ -272,19 +277,19 @@ inline void FormulaLanes::Number(const Step& step, const Lanes& t, Cell& cell) c
 
 R3_VECTORIZED
 const Lanes& FormulaLanes::At(const Lanes& t) {
-  for (std::size_t s = 0; s < formula_.steps_.size(); ++s) Number(formula_.steps_[s], t, cells_[s]);
+  ForEachStep([&](const Step& step, Cell& cell) { Number(step, t, cell); });
   return cells_[formula_.result_].number;
 }
 
 R3_VECTORIZED
 const IntervalLanes& FormulaLanes::In(const IntervalLanes& t) {
-  for (std::size_t s = 0; s < formula_.steps_.size(); ++s) Value(formula_.steps_[s], t, cells_[s]);
+  ForEachStep([&](const Step& step, Cell& cell) { Value(step, t, cell); });
   return cells_[formula_.result_].value;
 }
 
 R3_VECTORIZED
 const IntervalLanes& FormulaLanes::Slopes() {
-  for (std::size_t s = 0; s < formula_.steps_.size(); ++s) Slope(formula_.steps_[s], cells_[s]);
+  ForEachStep([&](const Step& step, Cell& cell) { Slope(step, cell); });
   return cells_[formula_.result_].slope;
 }
 

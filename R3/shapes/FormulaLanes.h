@@ -46,6 +46,8 @@ class FormulaLanes {
   };
   using Step = Expression::Step;
 
+  template <typename Made>
+  void ForEachStep(const Made& made);
   void Number(const Step& step, const Lanes& t, Cell& cell) const;
   void Value(const Step& step, const IntervalLanes& t, Cell& cell) const;
   void Slope(const Step& step, Cell& cell) const;
