@@ -67,14 +67,15 @@ PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock:
 
 void PassRunner::RunTile(int i) {
   if (IsStopped() || IsPauseDue()) return;
-  TraceState& state = states_.local();
+  Worker& worker = workers_.local();
+  TraceState& state = worker.state;
   state.rays = {};
   state.stop = work_.stop;
   std::int64_t pixels = 0;
   // What is done of first looks when they are broken off is to show all of the picture, whichever thread came when.
   for (const int block : tiles_.BlocksOf(targets_->places.empty() ? i : tiles_.Spread(looks_begun_++))) {
     if (IsDone(block)) continue;
-    if (!(TargetOf(block) > 0 ? Advance(block, state) : Look(block, state))) break;
+    if (!(TargetOf(block) > 0 ? Advance(block, worker) : Look(block, worker))) break;
     pixels += work_.film.PixelsOf(block).Area();
   }
   const std::lock_guard lock(mutex_);
@@ -84,7 +85,8 @@ void PassRunner::RunTile(int i) {
 }
 
 /// Takes a block to its target, in steps after which it can be kept. Whether it got there.
-bool PassRunner::Advance(int block, TraceState& state) {
+bool PassRunner::Advance(int block, Worker& worker) {
+  TraceState& state = worker.state;
   state.workspace.ForgetLastHits();
   while (!IsAtTarget(block)) {
     if (IsPauseDue()) return false;
@@ -97,7 +99,7 @@ bool PassRunner::Advance(int block, TraceState& state) {
       if (next.sums[part].IsEmpty()) next.sums[part] = work_.film.EmptySums(block);
       SamplesDue due{work_.film.PixelsOf(block), work_.has_two_streams ? part : 0, done, end};
       if (part == 0) due.first_samples = next.first_samples;
-      if (!RenderBlock(work_.source, due, work_.film.filter(), state, next.sums[part])) {
+      if (!RenderBlock(work_.source, due, work_.film.filter(), state, worker.batch, next.sums[part])) {
         state.rays = rays_before;
         return false;
       }
@@ -111,10 +113,11 @@ bool PassRunner::Advance(int block, TraceState& state) {
 }
 
 /// Takes a block within its first sample to its target. Whether it got there.
-bool PassRunner::Look(int block, TraceState& state) {
+bool PassRunner::Look(int block, Worker& worker) {
+  TraceState& state = worker.state;
   state.workspace.ForgetLastHits();
   const RayCounts rays_before = state.rays;
-  if (!LookAtPlaces(work_.source, work_.film.PixelsOf(block), targets_->PlacesOf(block), state,
+  if (!LookAtPlaces(work_.source, work_.film.PixelsOf(block), targets_->PlacesOf(block), state, worker.batch,
                     work_.film[block].first_samples)) {
     state.rays = rays_before;
     return false;

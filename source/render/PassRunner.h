@@ -63,8 +63,13 @@ class PassRunner {
   bool IsAtTarget(int block) const;
   bool IsDone(int block) const { return IsLeftAlone(block) || IsAtTarget(block); }
   void RunTile(int i);
-  bool Advance(int block, TraceState& state);
-  bool Look(int block, TraceState& state);
+  /// What one thread keeps between blocks.
+  struct Worker {
+    TraceState state;
+    SampleBatch batch;
+  };
+  bool Advance(int block, Worker& worker);
+  bool Look(int block, Worker& worker);
 
   const PassWork work_;
   const Tiles tiles_;
@@ -75,7 +80,7 @@ class PassRunner {
   std::atomic<int> progress_ = 0;
   int least_progress_ = 1;
   std::atomic<int> looks_begun_ = 0;  // since Run began: tiles of them
-  tbb::enumerable_thread_specific<TraceState> states_;
+  tbb::enumerable_thread_specific<Worker> workers_;
   std::mutex mutex_;  // guards the counts below and tile_done; a block belongs to one tile and needs no guard
   std::int64_t pixels_done_ = 0;  // at their targets
   RayCounts rays_;

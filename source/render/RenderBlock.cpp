@@ -1,6 +1,7 @@
 #include "source/render/RenderBlock.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <iterator>
 
@@ -10,7 +11,7 @@ namespace {
 std::size_t PlaceOf(int column, int row) { return static_cast<std::size_t>(BlockOrder::PlaceOf(column, row)); }
 
 /// Traces first samples, of one batch at most, and keeps them by the places of their pixels.
-bool TraceLooks(const SampleSource& source, TraceState& state, SampleBatch& batch, std::vector<R2::Color>& looks) {
+bool TraceLooks(const SampleSource& source, TraceState& state, SampleBatch& batch, std::span<R2::Color> looks) {
   static_assert(BlockOrder::places <= R1::batch_size);
   if (!Trace(source, state, batch)) return false;
   for (std::size_t i = 0; i < batch.due.size(); ++i)
@@ -26,15 +27,17 @@ void ForPixels(const PixelRectangle& pixels, const Function& function) {
 
 /// Samples of which some are known already, added in the order of all others.
 bool RenderAroundFirstSamples(const SampleSource& source, const SamplesDue& due, const Filter& filter,
-                              TraceState& state, BlockSums& sums) {
+                              TraceState& state, SampleBatch& batch, BlockSums& sums) {
   assert(due.stream == 0 && due.first == 0 && due.last == 1);
-  std::vector<R2::Color> all(due.first_samples.begin(), due.first_samples.end());
-  all.resize(BlockOrder::places);
-  SampleBatch missing;
+  std::array<R2::Color, BlockOrder::places> all;
+  std::ranges::copy(due.first_samples, all.begin());
+  batch.Clear();
   ForPixels(due.pixels, [&](int column, int row) {
-    if (PlaceOf(column, row) >= due.first_samples.size()) missing.due.push_back(source.FirstSample(column, row));
+    if (PlaceOf(column, row) < due.first_samples.size()) return;
+    const PixelSample sample = source.FirstSample(column, row);  // named, since push_back is inlined then
+    batch.due.push_back(sample);
   });
-  if (!TraceLooks(source, state, missing, all)) return false;
+  if (!TraceLooks(source, state, batch, all)) return false;
   if (filter.IsBox()) {  // to which it makes no difference where a sample is in its pixel
     ForPixels(due.pixels,
               [&](int column, int row) { sums.Add(column, row, column, row, all[PlaceOf(column, row)], filter); });
@@ -64,33 +67,35 @@ void TraceSamples(const SampleSource& source, std::span<const CameraSample> samp
 
 bool Trace(const SampleSource& source, TraceState& state, SampleBatch& batch) {
   if (state.IsStopped()) return false;
-  batch.samples.resize(batch.due.size()), batch.radiances.resize(batch.due.size());
-  source.camera.MakeEach(batch.due, batch.samples);
-  TraceSamples(source, batch.samples, batch.radiances, state);
+  const std::size_t count = batch.due.size();
+  if (batch.samples.size() < count) batch.samples.resize(count), batch.radiances.resize(count);
+  const auto samples = std::span(batch.samples).first(count);
+  const auto radiances = std::span(batch.radiances).first(count);
+  source.camera.MakeEach(batch.due, samples);
+  TraceSamples(source, samples, radiances, state);
   if (source.clamps_samples)
-    for (R2::Color& radiance : batch.radiances) radiance = Clamped(radiance);
+    for (R2::Color& radiance : radiances) radiance = Clamped(radiance);
   return !state.IsStopped();
 }
 
 bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, TraceState& state,
-                  std::vector<R2::Color>& looks) {
-  std::vector<R2::Color> all = looks;
-  all.resize(static_cast<std::size_t>(places));
-  SampleBatch batch;
+                  SampleBatch& batch, std::vector<R2::Color>& looks) {
+  std::array<R2::Color, BlockOrder::places> all;
+  std::ranges::copy(looks, all.begin());
+  batch.Clear();
   for (int place = static_cast<int>(looks.size()); place < places; ++place) {
     const auto [column, row] = BlockOrder::PixelAt(place, pixels);
     if (pixels.Contains(column, row)) batch.due.push_back(source.FirstSample(column, row));
   }
   if (!TraceLooks(source, state, batch, all)) return false;
-  looks = std::move(all);
+  looks.assign(all.begin(), all.begin() + places);
   return true;
 }
 
 bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
-                 BlockSums& sums) {
-  if (!due.first_samples.empty()) return RenderAroundFirstSamples(source, due, filter, state, sums);
-  SampleBatch batch;
-  batch.due.reserve(R1::batch_size);  // growing step by step takes longer
+                 SampleBatch& batch, BlockSums& sums) {
+  if (!due.first_samples.empty()) return RenderAroundFirstSamples(source, due, filter, state, batch, sums);
+  batch.Clear();
   const auto add_batch = [&source, &state, &sums, &filter, &batch] {
     if (!Trace(source, state, batch)) return false;
     const CameraSample* sample = batch.samples.data();

@@ -35,10 +35,13 @@ void TraceSamples(const SampleSource& source, std::span<const CameraSample> samp
                   TraceState& state);
 
 /// Samples of pixels that are traced together, which integrators do faster than one by one; R1::batch_size at most.
+/// Whoever traces batch after batch keeps one: to make its arrays anew took a twelfth of the time of a fast frame.
 struct SampleBatch {
   std::vector<PixelSample> due;
-  std::vector<CameraSample> samples;  // of each, once it is traced
+  std::vector<CameraSample> samples;  // of each, once it is traced; there may be more
   std::vector<R2::Color> radiances;   // clamped, where the source says so
+
+  void Clear() { due.clear(), due.reserve(R1::batch_size); }  // growing step by step takes longer
 };
 
 /// Traces the samples that are due. What a ray brings back depends on its pixel, stream and index alone, never on which
@@ -89,14 +92,16 @@ struct SamplesDue {
   std::span<const R2::Color> first_samples{};  // of sample 0, where they were taken before the others: see Film::Block
 };
 
-/// The road of every sample: pixel, camera ray, integrator, film. Adds the samples that are due to `sums`.
+/// The road of every sample: pixel, camera ray, integrator, film. Adds the samples that are due to `sums`. Of `batch`
+/// only the memory is used.
 ///   returns   whether nobody asked to stop by state.stop, looked at before each batch; else `sums` is of no use
 bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
-                 BlockSums& sums);
+                 SampleBatch& batch, BlockSums& sums);
 
-/// Takes sample 0 of the first stream at more places of a block, from looks.size() to `places` - 1 of BlockOrder.
+/// Takes sample 0 of the first stream at more places of a block, from looks.size() to `places` - 1 of BlockOrder. Of
+/// `batch` only the memory is used.
 ///   returns   whether nobody asked to stop, as RenderBlock does; `looks` then has `places` colors
 bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, TraceState& state,
-                  std::vector<R2::Color>& looks);
+                  SampleBatch& batch, std::vector<R2::Color>& looks);
 
 }  // namespace ray
