@@ -60,7 +60,7 @@ std::size_t CheckReports(const std::filesystem::path& folder, const std::string&
     try {
       ParseOptions options;
       options.problem_of = ProblemOf;
-      Parse(entry.path(), options);
+      WithSettingsOf(Parse(entry.path(), options).scene, Defaults(Program::raypro));
     } catch (const SceneErrors& errors) {
       report = Replaced(errors.what(), folder.string() + "/", "");
       report = Replaced(report, folder.lexically_normal().string() + "/", "");

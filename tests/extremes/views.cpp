@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
+#include <string>
 
 #include "R2/ImageFile.h"
+#include "source/app/options/SceneSettings.h"
+#include "source/scene/CameraKind.h"
 #include "tests/Accelerators.h"
 #include "tests/Project.h"
 
@@ -208,6 +212,38 @@ TEST(Extremes, B9_OfTwoParallelSquaresTheNearerIsHitWhileTheirGapCanBeTold) {
       }
     }
   }
+}
+
+/// Why a scene is refused for its settings; empty where it is not.
+std::string RefusalOf(const std::string& scene) {
+  try {
+    ray::WithSettingsOf(project::FromText(scene), ray::Defaults(ray::Program::raypro));
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Extremes, G11_ALensOfAnyProjectionGivesAFinitePictureOrIsRefused) {
+  const std::string room =
+      gray + "point_light 1 1 1 1 2 3 1 0 0\nbackground .3 .4 .5\nsphere 0 0 0 0 1\nbox 0 -9 -2 -9 9 -1 9\n";
+  for (const ray::CameraKind* kind : ray::CameraKinds())
+    for (const double aperture : {1e-300, 1e-9, 0.1, 1e3, 1e150})
+      for (const double focus : {1e-300, 1e-6, 6.0, 1e12, 1e300}) {
+        std::ostringstream scene;
+        scene << "camera 0 0 6 0 0 -1 0 1 0 .5 .01 100\nprojection " << kind->name << "\nset aperture " << aperture
+              << "\nset focus " << focus << '\n' << room;
+        const std::string refusal = RefusalOf(scene.str());
+        const std::string message = "-aperture has no effect with -projection " + std::string(kind->name);
+        EXPECT_EQ(refusal.find(message) != std::string::npos, !kind->has_lens) << scene.str() << refusal;
+        EXPECT_EQ(refusal.empty(), kind->has_lens) << scene.str() << refusal;
+        if (!kind->has_lens) continue;
+        const project::Stage stage(project::FromText(scene.str()));
+        ray::RenderSettings settings;
+        settings.width = 12, settings.height = 8, settings.samples = 4;
+        settings.camera.aperture = aperture, settings.camera.focus = focus;
+        EXPECT_TRUE(IsFinite(project::Render(stage, settings).image)) << scene.str();
+      }
 }
 
 }  // namespace

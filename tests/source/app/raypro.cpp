@@ -319,6 +319,25 @@ TEST(Raypro, SaysHowManySamplesItTakesWhereThatAreNotThoseAskedFor) {
   EXPECT_FALSE(Has(warnings({"-samples", "4", "-error", "8"}), "-samples"));
 }
 
+TEST(Raypro, ALensForAProjectionThatHasNoneIsRefusedWhoeverAsksForIt) {
+  NEEDS_THE_PROGRAM();
+  const std::string refusal = "-aperture has no effect with -projection latlong, which has no lens";
+  const SceneFolder plain, with_lens("set aperture .1\nset focus 5\n" + small_scene);
+  const auto said = [](const SceneFolder& place, std::vector<std::string> words) {
+    words.insert(words.begin(), {place.Scene(), place / "out.ppm", "-width", "8", "-height", "8"});
+    const Finished done = RunProgram(words);
+    EXPECT_EQ(done.status == 0, done.error.empty()) << done.error;
+    return done.error;
+  };
+  EXPECT_TRUE(Has(said(plain, {"-projection", "latlong", "-aperture", ".1", "-focus", "5"}), refusal));
+  const std::string both = said(with_lens, {"-projection", "latlong"});
+  EXPECT_TRUE(Has(both, refusal)) << both;
+  EXPECT_TRUE(Has(both, with_lens.Scene() + ":1:5")) << both;
+  EXPECT_EQ(said(with_lens, {"-projection", "latlong", "-aperture", "0"}).find("error"), std::string::npos);
+  for (const char* projection : {"fisheye", "cylinder", "orthographic"})
+    EXPECT_EQ(said(with_lens, {"-projection", projection}), "") << projection;
+}
+
 TEST(Raypro, WarnsOfOptionsForWantOfOthers) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
