@@ -1,6 +1,6 @@
 #!/bin/sh
 # Prints the .cpp files that a test needs: those beside the headers that it includes, and so on; those without a header
-# of their own that include it first; and of a table (.def) that one includes, the files of its kinds.
+# of their own that include it first; and, for a table (.def) that one includes, the files that define its kinds.
 #   usage: script/unit_sources.sh tests/R3/Csg.cpp
 set -eu
 cd "$(dirname "$0")/.."
@@ -19,37 +19,58 @@ find R1 R2 R3 source tests -name '*.cpp' -o -name '*.h' -o -name '*.def' | LC_AL
       count_of = split(without_header[file], parts, " ")
       for (i = 1; i <= count_of; ++i) need(parts[i])
     }
-    if (file ~ /\.def$/) need_kinds(substr(file, 1, length(file) - 4))
+    if (file ~ /\.def$/) need_kinds(file)
   }
 
-  # The kinds of shapes.def are in shapes/, those of commands.def beside it.
-  function need_kinds(table,   folder, i, has_folder) {
-    for (i = 1; i <= count; ++i) if (index(files[i], table "/") == 1) has_folder = 1
-    folder = table "/"
-    if (!has_folder) sub(/[^\/]*\/$/, "", folder)
-    for (i = 1; i <= count; ++i)
-      if (index(files[i], folder) == 1 && files[i] ~ /\.cpp$/ && substr(files[i], length(folder) + 1) !~ /\//) need(files[i])
+  # The .cpp files that define what a table names: of SHAPE(cone), the one that defines cone_kind.
+  function need_kinds(table,   folder, i, kinds, count_of) {
+    folder = folder_of(table)
+    count_of = split(names_in(table), kinds, " ")
+    for (i = 1; i <= count_of; ++i) need_definitions_of(kinds[i] "_", folder)
   }
 
-  # without_header[X.h]: the .cpp files of its folder that have no header of their own and include it
-  # first of the headers there.
-  function find_those_without_header(   i, file, line, parts) {
+  function names_in(table,   line, names) {
+    while ((getline line < table) > 0)
+      if (match(line, /^[A-Z_]+\([a-z0-9_]+/)) {
+        line = substr(line, 1, RLENGTH)
+        sub(/^.*\(/, "", line)
+        names = names " " line
+      }
+    close(table)
+    return names
+  }
+
+  function need_definitions_of(start, folder,   symbol) {
+    for (symbol in defined_in)
+      if (index(symbol, start) == 1 && index(defined_in[symbol], folder) == 1) need(defined_in[symbol])
+  }
+
+  # without_header[X.h]: the .cpp files of its folder that have no header of their own and include it first of the
+  # headers there. defined_in[x]: the .cpp file that defines the constant x for others.
+  function look_into_sources(   i, file, line, parts, has_header) {
     for (i = 1; i <= count; ++i) {
       file = files[i]
-      if (file !~ /\.cpp$/ || file ~ /^tests\// || (substr(file, 1, length(file) - 4) ".h") in is_file) continue
-      while ((getline line < file) > 0)
-        if (match(line, /^#include "[^"]*"/)) {
+      if (file !~ /\.cpp$/ || file ~ /^tests\//) continue
+      has_header = (substr(file, 1, length(file) - 4) ".h") in is_file
+      while ((getline line < file) > 0) {
+        if (!has_header && match(line, /^#include "[^"]*"/)) {
           split(line, parts, "\"")
           if (folder_of(parts[2]) != folder_of(file)) continue
           without_header[parts[2]] = without_header[parts[2]] " " file
-          break
+          has_header = 1
         }
+        if (line ~ /^(extern )?const [A-Za-z]+ [a-z0-9_]+ *[{=]/) {
+          sub(/^(extern )?const [A-Za-z]+ /, "", line)
+          sub(/ *[{=].*/, "", line)
+          defined_in[line] = file
+        }
+      }
       close(file)
     }
   }
 
   END {
-    find_those_without_header()
+    look_into_sources()
     need(test)
     need("tests/Main.cpp")
     for (first = 1; first <= last; ++first) {

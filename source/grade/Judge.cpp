@@ -1,9 +1,10 @@
+#include "source/grade/Grader.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "R2/compare/Difference.h"
 #include "source/grade/Detectors.h"
-#include "source/grade/Grader.h"
 #include "source/text/NumberText.h"
 
 namespace ray::grade {

@@ -1,3 +1,5 @@
+#include "source/parse/document/Document.h"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

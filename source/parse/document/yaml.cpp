@@ -1,3 +1,4 @@
+#include "source/parse/document/Document.h"
 #include "source/parse/document/DocumentBuilder.h"
 
 #ifdef RAYPRO_YAML
