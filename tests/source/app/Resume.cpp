@@ -84,12 +84,13 @@ TEST(Resume, RefusesWhatWouldNotBeThePictureOfOneRun) {
   EXPECT_TRUE(Has(other.error, "cannot resume: the checkpoint belongs to a different scene\n")) << other.error;
 }
 
-/// A render of some seconds, and what it leaves when a signal ends it after half of one.
+/// A render of two seconds, whatever the number of processors, and what it leaves when a signal ends it after half of
+/// one.
 class Interrupted : public ::testing::Test {
  protected:
   std::vector<std::string> Command(const std::string& picture, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> words{place / "in.scn", place / picture, "-width", "64", "-height", "64",
-                                   "-samples",       "10000"};
+    std::vector<std::string> words{place / "in.scn", place / picture, "-width",   "64", "-height", "64",
+                                   "-samples",       "3000",          "-threads", "1"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -162,9 +163,9 @@ TEST_F(Interrupted, ARendersCheckpointIsNoOtherRendersToTake) {
 TEST_F(Interrupted, ARenderGoesOnToFewerSamplesThanItWasToTake) {
   NEEDS_THE_PROGRAM();
   ASSERT_EQ(Interrupt("out.pfm").status, 130);
-  const Finished resumed = RunProgram(Command("out.pfm", {"-samples", "2900", "-resume"}));
+  const Finished resumed = RunProgram(Command("out.pfm", {"-samples", "2500", "-resume"}));
   EXPECT_EQ(resumed.status, 0) << resumed.error;
-  ASSERT_EQ(RunProgram(Command("whole.pfm", {"-samples", "2900"})).status, 0);
+  ASSERT_EQ(RunProgram(Command("whole.pfm", {"-samples", "2500"})).status, 0);
   EXPECT_TRUE(ReadFile(place / "out.pfm") == ReadFile(place / "whole.pfm"));
 }
 
