@@ -140,6 +140,25 @@ R2::Color Mesh::ColorAt(const Hit& hit, int element) const {
 
 bool Mesh::IsClosed() const { return R3::IsClosed(data_); }
 
+void Mesh::AppendBlend(const std::array<std::uint32_t, 3>& corners, const std::array<double, 3>& weights,
+                       MeshData& mesh) const {
+  Vector position, normal;
+  R2::Point uv;
+  std::array<float, 3> color{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    position = position + weights[k] * FromOrigin(data_.positions[corners[k]]);
+    if (smooth_) normal = normal + weights[k] * AsVector(data_.normals[corners[k]]);
+    if (!data_.uvs.empty()) uv.x += weights[k] * data_.uvs[corners[k]].x;
+    if (!data_.uvs.empty()) uv.y += weights[k] * data_.uvs[corners[k]].y;
+    if (!data_.colors.empty())
+      for (std::size_t c = 0; c < 3; ++c) color[c] += static_cast<float>(weights[k]) * data_.colors[corners[k]][c];
+  }
+  mesh.positions.push_back(Point{} + position);
+  if (smooth_) mesh.normals.push_back(AsNormal(Unit(normal)));
+  if (!data_.uvs.empty()) mesh.uvs.push_back(uv);
+  if (!data_.colors.empty()) mesh.colors.push_back(color);
+}
+
 MeshData Mesh::Tessellate(int fineness) const {
   const double shares = fineness / (4 * std::sqrt(std::max(1.0, static_cast<double>(Elements()))));
   const auto pieces = static_cast<std::uint32_t>(std::max(1.0, shares));  // of each side of a triangle
@@ -154,26 +173,11 @@ MeshData Mesh::Tessellate(int fineness) const {
     const auto first = static_cast<std::uint32_t>(cut.positions.size());
     const auto at = [&](std::uint32_t row, std::uint32_t i) { return first + row * (row + 1) / 2 + i; };
     for (std::uint32_t row = 0; row <= pieces; ++row)
-      for (std::uint32_t i = 0; i <= row; ++i) {
-        const std::array weights{static_cast<double>(pieces - row) / pieces, static_cast<double>(row - i) / pieces,
-                                 static_cast<double>(i) / pieces};
-        Vector position, normal;
-        R2::Point uv;
-        std::array<float, 3> color{};
-        for (std::size_t k = 0; k < 3; ++k) {
-          position = position + weights[k] * FromOrigin(data_.positions[triangle[k]]);
-          if (smooth_) normal = normal + weights[k] * AsVector(data_.normals[triangle[k]]);
-          if (!data_.uvs.empty()) uv.x += weights[k] * data_.uvs[triangle[k]].x;
-          if (!data_.uvs.empty()) uv.y += weights[k] * data_.uvs[triangle[k]].y;
-          if (!data_.colors.empty())
-            for (std::size_t c = 0; c < 3; ++c)
-              color[c] += static_cast<float>(weights[k]) * data_.colors[triangle[k]][c];
-        }
-        cut.positions.push_back(Point{} + position);
-        if (smooth_) cut.normals.push_back(AsNormal(Unit(normal)));
-        if (!data_.uvs.empty()) cut.uvs.push_back(uv);
-        if (!data_.colors.empty()) cut.colors.push_back(color);
-      }
+      for (std::uint32_t i = 0; i <= row; ++i)
+        AppendBlend(triangle,
+                    {static_cast<double>(pieces - row) / pieces, static_cast<double>(row - i) / pieces,
+                     static_cast<double>(i) / pieces},
+                    cut);
     for (std::uint32_t row = 0; row < pieces; ++row)
       for (std::uint32_t i = 0; i <= row; ++i) {
         cut.triangles.push_back({at(row, i), at(row + 1, i), at(row + 1, i + 1)});

@@ -18,8 +18,8 @@ namespace R3 {
 /// refraction, maps, emission and the viewer agree about the side.
 class Mesh : public Shape {
  public:
-  /// Asserts what MeshData says. `smooth` asks for the normals that the data brings; without any it is flat.
-  ///   file   that it was read from, as it is; empty for none
+  /// Asserts what MeshData demands. `smooth` uses the normals of the data; without any the mesh is flat.
+  ///   file   holds just this data and was read for it; empty for none
   explicit Mesh(MeshData data, bool smooth = false, std::string file = {});
 
   int Elements() const override { return static_cast<int>(data_.triangles.size()); }
@@ -27,8 +27,8 @@ class Mesh : public Shape {
   std::optional<Hit> Intersect(const Ray& ray, int element) const override;
   Intersection At(const Ray& ray, const Hit& hit, int element) const override;
   UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int element) const override;
-  /// Its own triangles; those of a mesh of few cut into equal smaller ones, so that what is shown at corners alone,
-  /// such as a texture or the light of a lamp nearby, is seen between them too.
+  /// Its own triangles. If they are few they are cut into equal smaller ones, so that what is evaluated only at
+  /// vertices, such as a texture or the light of a lamp nearby, is seen between them too.
   MeshData Tessellate(int fineness) const override;
   Form FormOfElements() const override { return Form::flat; }
   bool IsSolid() const override { return false; }  // whether it is closed is not looked at
@@ -37,13 +37,14 @@ class Mesh : public Shape {
   /// The recipe of a single triangle with the texture coordinates of a `tri`.
   std::optional<Recipe> MadeFrom() const override;
 
-  /// A copy of a mesh without texture coordinates that has them: the place itself, seen along the axis that a triangle
-  /// faces most:
+  /// A copy with texture coordinates, for a mesh that has none. They are the position, projected along the axis that a
+  /// triangle faces most:
   ///
   ///     -x: (z, y)   +x: (-z, y)   -y: (x, z)   +y: (x, -z)   -z: (-x, y)   +z: (x, y)
   ///
-  /// Images are nowhere mirrored, and upright where the front faces sideways. A polygon faces one way as a whole. Where
-  /// two are as near, but for rounding, y comes before z and z before x. Corners between several ways are copied.
+  /// Images are never mirrored, and they are upright on fronts that face sideways. All triangles of a polygon share one
+  /// axis. If two axes are equally near, but for rounding, y comes before z and z before x. Vertices where the axis
+  /// changes are copied.
   std::unique_ptr<const Mesh> Projected() const;
 
   /// The mesh with every corner moved by `move`, rounded once. Fronts stay fronts: a mirror swaps the second and third
@@ -57,7 +58,7 @@ class Mesh : public Shape {
   /// Whether the triangles bound a volume, their fronts outward; see Winding.h.
   bool IsClosed() const;
 
-  /// What was given, but without lines; normals are zero or (unless moved) unit, and triangles turned as normals say.
+  /// The data given, without its lines. Normals are zero or (unless moved) unit, and triangles turned as they say.
   const MeshData& Data() const { return data_; }
   bool IsSmooth() const { return smooth_; }
   /// Empty for a mesh that was made otherwise, or moved.
@@ -81,6 +82,9 @@ class Mesh : public Shape {
   Mesh() = default;
   void DropTrianglesWithoutArea();
   void TurnToNormals();
+  /// Appends to `mesh` a vertex that blends three corners' positions, normals, texture coordinates and colors.
+  void AppendBlend(const std::array<std::uint32_t, 3>& corners, const std::array<double, 3>& weights,
+                   MeshData& mesh) const;
 
   MeshData data_;
   bool smooth_ = false;

@@ -170,6 +170,19 @@ class Torus : public Shape {
     return R1::Hypot(R1::Hypot(p.x, p.z) - major_, p.y) < minor_;
   }
 
+  static constexpr double pad = 0x1p-40;  // by which the sphere and the planes around the ring are widened
+
+  /// The s at which a line p + s v is within a sphere around the origin; empty, or with a NaN, if nowhere.
+  ///   pp, pv, vv   p.p, p.v and v.v
+  static Span InSphere(double radius, double pp, double pv, double vv) {
+    const double beyond = pp - radius * radius, discriminant = pv * pv - vv * beyond;
+    if (!(discriminant >= 0)) return {infinity, -infinity};
+    const double half = std::sqrt(discriminant);
+    Span span;
+    span.Clip((-pv - half) / vv, (-pv + half) / vv, 0, 0);
+    return span;
+  }
+
   /// All t at which the line crosses the surface, infinite where there are fewer than four. With R and r the radii and
   /// p + s v the ray from the center, in units of about R + r, that is where
   ///     (|p + s v|^2 + R^2 - r^2)^2 - 4 R^2 (its part across the axis)^2 = 0.
@@ -206,15 +219,8 @@ class Torus : public Shape {
     const DoubleDouble across_pv = x * v.x + z * v.z, pv = across_pv + y * v.y;
     const DoubleDouble across_pp = x * x + z * z, pp = across_pp + y * y;
 
-    // Only within the sphere and between the planes around the ring, a little widened.
-    constexpr double pad = 0x1p-40;
-    const double reach = R + r + pad, beyond = pp.high - reach * reach;
-    const double discriminant = pv.high * pv.high - vv.high * beyond;
-    if (!(discriminant >= 0)) return crossings;
-    Span inside;
+    Span inside = InSphere(R + r + pad, pp.high, pv.high, vv.high);
     ClipToSlab(inside, -r - pad, r + pad, y.high, v.y, 0, 0);
-    const double half = std::sqrt(discriminant);
-    inside.Clip((-pv.high - half) / vv.high, (-pv.high + half) / vv.high, 0, 0);
     if (!(inside.enter < inside.leave)) return crossings;
 
     const DoubleDouble k = pp + ExactSum(R, -r) * ExactSum(R, r), four_RR = 4.0 * ExactProduct(R, R);

@@ -12,13 +12,6 @@
 namespace ray {
 namespace {
 
-/// From the world to a node while the graph is being flattened.
-struct GroupTransform {
-  R3::Product world_from_node;
-  R3::Vector motion;  // in the world
-  std::uint32_t frame = 0;
-};
-
 std::string LeftOut(const Scene& scene, const Location& location) {
   std::string where = "the scene";
   if (location.line != 0 && location.file < scene.files.size())
@@ -34,6 +27,13 @@ void PutOnHugePages(const R3::Mesh& mesh) {
 }
 
 }  // namespace
+
+/// From the world to a node while the graph is being flattened.
+struct World::GroupTransform {
+  R3::Product world_from_node;
+  R3::Vector motion;  // in the world
+  std::uint32_t frame = 0;
+};
 
 World::World(const Scene& scene) : scene_(scene) {
   FlattenGraph();
@@ -68,21 +68,7 @@ void World::FlattenGraph() {
     const Node& node = *nodes_[i].node;
     assert(!node.shape || IsIdentity(node.transform));  // a shape's box is in the frame the shape itself is in
     GroupTransform group = transforms[i - first];
-    const bool does_move = !(node.motion == R3::Vector{});
-    if (!IsIdentity(node.transform) || does_move) {
-      moves_ |= does_move;
-      group.motion = group.motion + frames_[group.frame] * node.motion;
-      if (IsSingular(node.transform)) continue;  // the reader has warned
-      group.world_from_node = group.world_from_node * node.transform;
-      const auto transform = R3::Transform::Of(group.world_from_node);
-      if (!transform) {
-        warnings_.push_back(LeftOut(scene_, node.location));
-        continue;
-      }
-      group.frame = static_cast<std::uint32_t>(frames_.size());
-      frames_.push_back(*transform);
-      motions_.push_back(group.motion);
-    }
+    if (!Enter(node, group)) continue;
     nodes_[i].frame = group.frame;
     nodes_[i].first_child = static_cast<std::uint32_t>(nodes_.size());
     if (node.shape) continue;  // the solids below it are in its shape
@@ -92,6 +78,24 @@ void World::FlattenGraph() {
       transforms.push_back(group);
     }
   }
+}
+
+bool World::Enter(const Node& node, GroupTransform& group) {
+  const bool does_move = !(node.motion == R3::Vector{});
+  if (IsIdentity(node.transform) && !does_move) return true;
+  moves_ |= does_move;
+  group.motion = group.motion + frames_[group.frame] * node.motion;
+  if (IsSingular(node.transform)) return false;  // the reader has warned
+  group.world_from_node = group.world_from_node * node.transform;
+  const auto transform = R3::Transform::Of(group.world_from_node);
+  if (!transform) {
+    warnings_.push_back(LeftOut(scene_, node.location));
+    return false;
+  }
+  group.frame = static_cast<std::uint32_t>(frames_.size());
+  frames_.push_back(*transform);
+  motions_.push_back(group.motion);
+  return true;
 }
 
 // Depth first, so that ids follow the order of the scene file; materials are inherited on the way.

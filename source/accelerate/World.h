@@ -124,7 +124,11 @@ class World {
   R3::UvTangents UvTangentsAt(const R3::Ray& ray, const WorldHit& hit) const;
 
  private:
+  struct GroupTransform;
   void FlattenGraph();
+  /// Composes a group's transform with a node's own, as a new frame where it differs. False if nothing of the node can
+  /// be hit, since its transform is singular.
+  bool Enter(const Node& node, GroupTransform& group);
   void NumberInstances();
   void ProjectTextures();
   void BakeOrShareMeshes();

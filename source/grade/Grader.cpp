@@ -11,6 +11,13 @@
 #include "source/parse/Files.h"
 
 namespace ray::grade {
+
+/// A student's image, or why there is none. Links are not followed, wherever they lead.
+struct FetchedImage {
+  R2::Image image;
+  bool is_jpeg = false;
+  std::string problem;
+};
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,12 +36,6 @@ std::string ReplacedAll(std::string text, const std::string& what, const std::st
   return text;
 }
 
-/// A student's file: read, or why not. Links are not followed, wherever they lead.
-struct FetchedImage {
-  R2::Image image;
-  bool is_jpeg = false;
-  std::string problem;
-};
 FetchedImage NoImage(const std::string& problem) { return {{}, false, problem}; }
 
 FetchedImage Fetch(const fs::path& file) {
@@ -147,6 +148,41 @@ StudentResult Grader::Grade(const std::string& name, const std::string& student,
   return result;
 }
 
+FetchedImage Grader::RunProgram(const SuiteScene& scene, const std::string& file, const std::string& student,
+                                double seconds_left, SceneResult& result) {
+  const fs::path folder = folder_.Path() / "run";
+  fs::remove_all(folder);
+  fs::create_directory(folder);
+  LetOthersWrite(folder);
+  const fs::path image = folder / ("image." + settings_.image_extension);
+  std::vector<fs::path> readable(suite_.readable.begin(), suite_.readable.end());
+  readable.push_back(fs::path(file).parent_path());
+  const Limits limits{.seconds = std::min(scene.seconds, seconds_left), .memory = suite_.memory};
+  const RunResult ran =
+      sandbox_.Run(FilledCommand(scene, file, student, image), folder, readable, limits, settings_.stop);
+  result.seconds += ran.seconds;
+  result.program_output = ran.output;
+  if (!ran.IsGood()) return NoImage(ran.Problem());
+  FetchedImage fetched = Fetch(ImageIn(folder, image));
+  if (!fetched.problem.empty()) return fetched;
+  if (fetched.image.Width() != scene.width || fetched.image.Height() != scene.height)
+    return NoImage(WhyOfWrongSize(fetched.image, scene));
+  return fetched;
+}
+
+std::vector<std::string> Grader::FilledCommand(const SuiteScene& scene, const std::string& file,
+                                               const std::string& student, const fs::path& image) const {
+  std::vector<std::string> words;
+  for (const std::string& word : settings_.command) {
+    std::string filled = ReplacedAll(word, "{student}", student);
+    filled = ReplacedAll(filled, "{scene}", file);
+    filled = ReplacedAll(filled, "{image}", image.string());
+    filled = ReplacedAll(filled, "{width}", std::to_string(scene.width));
+    words.push_back(ReplacedAll(filled, "{height}", std::to_string(scene.height)));
+  }
+  return words;
+}
+
 SceneResult Grader::GradeScene(SceneImages& images, const std::string& file, const std::string& student,
                                double seconds_left) {
   const SuiteScene& scene = images.scene();
@@ -163,30 +199,8 @@ SceneResult Grader::GradeScene(SceneImages& images, const std::string& file, con
   std::vector<R2::Image> runs;
   bool is_jpeg = false;
   for (int run = 0; run < scene.runs; ++run) {
-    const fs::path folder = folder_.Path() / "run";
-    fs::remove_all(folder);
-    fs::create_directory(folder);
-    LetOthersWrite(folder);
-    const fs::path image = folder / ("image." + settings_.image_extension);
-    std::vector<std::string> words;
-    for (const std::string& word : settings_.command) {
-      std::string filled = ReplacedAll(word, "{student}", student);
-      filled = ReplacedAll(filled, "{scene}", file);
-      filled = ReplacedAll(filled, "{image}", image.string());
-      filled = ReplacedAll(filled, "{width}", std::to_string(scene.width));
-      words.push_back(ReplacedAll(filled, "{height}", std::to_string(scene.height)));
-    }
-    std::vector<fs::path> readable(suite_.readable.begin(), suite_.readable.end());
-    readable.push_back(fs::path(file).parent_path());
-    const Limits limits{.seconds = std::min(scene.seconds, seconds_left), .memory = suite_.memory};
-    const RunResult ran = sandbox_.Run(words, folder, readable, limits, settings_.stop);
-    result.seconds += ran.seconds;
-    result.program_output = ran.output;
-    if (!ran.IsGood()) return fail(ran.Problem());
-    FetchedImage fetched = Fetch(ImageIn(folder, image));
+    FetchedImage fetched = RunProgram(scene, file, student, seconds_left, result);
     if (!fetched.problem.empty()) return fail(fetched.problem);
-    if (fetched.image.Width() != scene.width || fetched.image.Height() != scene.height)
-      return fail(WhyOfWrongSize(fetched.image, scene));
     is_jpeg |= fetched.is_jpeg;
     runs.push_back(std::move(fetched.image));
   }

@@ -34,6 +34,8 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
+struct FetchedImage;
+
 /// Grades programs by a suite. References, and images with mistakes, are rendered once for all of them.
 class Grader {
  public:
@@ -57,6 +59,12 @@ class Grader {
 
  private:
   SceneResult GradeScene(SceneImages& images, const std::string& file, const std::string& student, double seconds_left);
+  /// Runs a student's program once on a scene, and adds its seconds and what it printed to `result`.
+  FetchedImage RunProgram(const SuiteScene& scene, const std::string& file, const std::string& student,
+                          double seconds_left, SceneResult& result);
+  /// The command with the words in braces replaced by what they stand for.
+  std::vector<std::string> FilledCommand(const SuiteScene& scene, const std::string& file, const std::string& student,
+                                         const std::filesystem::path& image) const;
   void Stage(const SuiteScene& scene);
 
   const Suite& suite_;

@@ -57,12 +57,18 @@ void Limit(int resource, rlim_t most) {
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
 }
 
+rlim_t CpuSeconds(const Limits& limits) {
+  return static_cast<rlim_t>(std::ceil(cpu_seconds_per_second * limits.seconds)) + 1;
+}
+
+rlim_t MemoryBytes(const Limits& limits) { return static_cast<rlim_t>(limits.memory * 1024 * 1024); }
+
 /// In the child, before it becomes the program.
 void ApplyLimits(const Limits& limits) {
   Limit(RLIMIT_CORE, 0);
   Limit(RLIMIT_FSIZE, static_cast<rlim_t>(limits.file_bytes));
-  Limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(cpu_seconds_per_second * limits.seconds)) + 1);
-  Limit(RLIMIT_AS, static_cast<rlim_t>(limits.memory * 1024 * 1024));
+  Limit(RLIMIT_CPU, CpuSeconds(limits));
+  Limit(RLIMIT_AS, MemoryBytes(limits));
 }
 
 struct Pipe {
@@ -242,6 +248,56 @@ std::vector<fs::path> FoldersOf(const std::vector<std::string>& command) {
   return folders;
 }
 
+/// The words by which bubblewrap shows the system's folders and files, for reading only.
+std::vector<std::string> SystemMounts() {
+  std::vector<std::string> words;
+  const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
+  for (const char* system : system_folders) {
+    std::error_code ignored;
+    if (fs::is_symlink(system, ignored))
+      add({"--symlink", fs::read_symlink(system, ignored).string(), system});
+    else
+      add({"--ro-bind-try", system, system});
+  }
+  // What bubblewrap makes on the way to a file is for its own user only, unless it is told otherwise.
+  add({"--perms", "0755", "--dir", "/etc", "--perms", "0755", "--dir", "/etc/ssl"});
+  for (const char* file : system_files) add({"--ro-bind-try", file, file});
+  return words;
+}
+
+/// The words by which bubblewrap shows a path where it is; `how` says whether it can be written.
+std::vector<std::string> Mount(const char* how, const fs::path& path) {
+  std::vector<std::string> words;
+  fs::path parent;
+  for (const fs::path& part : path.parent_path()) {
+    parent /= part;
+    if (parent != path.root_path()) words.insert(words.end(), {"--perms", "0755", "--dir", parent.string()});
+  }
+  words.insert(words.end(), {how, path.string(), path.string()});
+  return words;
+}
+
+/// The words that take all rights away; a superuser becomes a user that nobody else is.
+std::vector<std::string> DroppedRights() {
+  if (!IsSuperuser()) return {"--unshare-user", "--cap-drop", "ALL", "--"};
+  const std::string user = std::to_string(fresh_user);
+  return {"--cap-drop",      "ALL",           "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID",
+          "--cap-add",       "CAP_SETPCAP",   "--",        "setpriv",    "--reuid",   user,
+          "--regid",         user,            "--clear-groups", "--no-new-privs", "--bounding-set", "-all",
+          "--inh-caps",      "-all"};
+}
+
+/// The words that set limits on a program's processes, time, files and memory.
+std::vector<std::string> LimitWords(const Limits& limits) {
+  return {"prlimit",
+          "--core=0",
+          "--nproc=" + std::to_string(limits.processes),
+          "--cpu=" + std::to_string(CpuSeconds(limits)),
+          "--fsize=" + std::to_string(limits.file_bytes),
+          "--as=" + std::to_string(MemoryBytes(limits)),
+          "--"};
+}
+
 }  // namespace
 
 std::string RunResult::Problem() const {
@@ -288,57 +344,15 @@ std::vector<std::string> Sandbox::Wrapped(const std::vector<std::string>& comman
       "bwrap",         "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--die-with-parent",
       "--new-session", "--proc",        "/proc",         "--dev",         "/dev",          "--tmpfs",
       "/tmp"};
-  const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
-  for (const char* system : system_folders) {
-    std::error_code ignored;
-    if (fs::is_symlink(system, ignored))
-      add({"--symlink", fs::read_symlink(system, ignored).string(), system});
-    else
-      add({"--ro-bind-try", system, system});
-  }
-  // What bubblewrap makes on the way to a file is for its own user only, unless it is told otherwise.
-  add({"--perms", "0755", "--dir", "/etc", "--perms", "0755", "--dir", "/etc/ssl"});
-  for (const char* file : system_files) add({"--ro-bind-try", file, file});
-  const auto bind = [&](const char* how, const fs::path& path) {
-    fs::path parent;
-    for (const fs::path& part : path.parent_path()) {
-      parent /= part;
-      if (parent != path.root_path()) add({"--perms", "0755", "--dir", parent.string()});
-    }
-    add({how, path.string(), path.string()});
-  };
-  for (const fs::path& path : FoldersOf(command)) bind("--ro-bind", path);
-  for (const fs::path& path : readable) bind("--ro-bind", path);
-  bind("--bind", folder);
+  const auto add = [&](const std::vector<std::string>& more) { words.insert(words.end(), more.begin(), more.end()); };
+  add(SystemMounts());
+  for (const fs::path& path : FoldersOf(command)) add(Mount("--ro-bind", path));
+  for (const fs::path& path : readable) add(Mount("--ro-bind", path));
+  add(Mount("--bind", folder));
   add({"--chdir", folder.string()});
-  if (IsSuperuser())
-    add({"--cap-drop",
-         "ALL",
-         "--cap-add",
-         "CAP_SETUID",
-         "--cap-add",
-         "CAP_SETGID",
-         "--cap-add",
-         "CAP_SETPCAP",
-         "--",
-         "setpriv",
-         "--reuid",
-         std::to_string(fresh_user),
-         "--regid",
-         std::to_string(fresh_user),
-         "--clear-groups",
-         "--no-new-privs",
-         "--bounding-set",
-         "-all",
-         "--inh-caps",
-         "-all"});
-  else
-    add({"--unshare-user", "--cap-drop", "ALL", "--"});
-  const auto cpu = static_cast<std::int64_t>(std::ceil(cpu_seconds_per_second * limits.seconds)) + 1;
-  add({"prlimit", "--core=0", "--nproc=" + std::to_string(limits.processes), "--cpu=" + std::to_string(cpu),
-       "--fsize=" + std::to_string(limits.file_bytes),
-       "--as=" + std::to_string(static_cast<std::int64_t>(limits.memory * 1024 * 1024)), "--"});
-  words.insert(words.end(), command.begin(), command.end());
+  add(DroppedRights());
+  add(LimitWords(limits));
+  add(command);
   return words;
 }
 

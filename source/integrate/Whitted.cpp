@@ -80,27 +80,9 @@ void Whitted::Li(std::span<const CameraSample> samples, std::span<R2::Color> rad
 // transmitted one.
 R2::Color Whitted::Follow(const ShadingPoint& first, const R2::Color& radiance, TraceState& state) const {
   R2::Color sum = first.path.throughput * radiance;
-  int descendants = 0;
   state.pending.clear();
   const std::size_t departures = state.departures.Count();
-  const auto spawn = [&](const ShadingPoint& p) {
-    if (IsDiffuse(*p.material)) return;
-    if (p.path.depth >= settings_.max_depth) {
-      state.rays.EndAt(Luminance(p.path.throughput * SpecularReflectance(p, settings_)));
-      return;
-    }
-    const std::size_t before = state.pending.size();
-    Spawn(p, state);
-    const std::size_t spawned = state.pending.size() - before;
-    if (spawned > 0) KeepDeparture(p.departure, std::span(state.pending).last(spawned), state);
-    if (descendants < most_descendants) {
-      descendants += static_cast<int>(spawned);
-    } else {
-      state.rays.cut += spawned;
-      state.pending.resize(before);
-    }
-  };
-  spawn(first);
+  int descendants = PushSpawned(first, most_descendants, state);
   while (!state.pending.empty() && !state.IsStopped()) {
     auto [ray, path] = state.pending.back();
     state.pending.pop_back();
@@ -115,10 +97,26 @@ R2::Color Whitted::Follow(const ShadingPoint& first, const R2::Color& radiance, 
     R2::Color sent_back;
     Shade({&p, 1}, {&sent_back, 1}, state);
     sum += p.path.throughput * sent_back;
-    spawn(p);
+    descendants += PushSpawned(p, most_descendants - descendants, state);
   }
   state.departures.Shrink(departures);
   return sum;
+}
+
+int Whitted::PushSpawned(const ShadingPoint& p, int room, TraceState& state) const {
+  if (IsDiffuse(*p.material)) return 0;
+  if (p.path.depth >= settings_.max_depth) {
+    state.rays.EndAt(Luminance(p.path.throughput * SpecularReflectance(p, settings_)));
+    return 0;
+  }
+  const std::size_t before = state.pending.size();
+  Spawn(p, state);
+  const std::size_t spawned = state.pending.size() - before;
+  if (spawned > 0) KeepDeparture(p.departure, std::span(state.pending).last(spawned), state);
+  if (room > 0) return static_cast<int>(spawned);
+  state.rays.cut += spawned;
+  state.pending.resize(before);
+  return 0;
 }
 
 void Whitted::Shade(std::span<ShadingPoint> points, std::span<R2::Color> radiances, TraceState& state) const {

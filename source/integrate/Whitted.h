@@ -45,6 +45,9 @@ class Whitted : public Integrator {
   void AddSamples(const LightSource& light, const ShadingPoint& p, std::size_t index, const Points& random,
                   std::uint64_t first, std::uint32_t count, double weight, TraceState& state) const;
   void AddArrived(std::span<R2::Color> radiances, TraceState& state) const;
+  /// Puts the rays that a surface reflects and transmits on state.pending, unless the path ends here or `room`, how
+  /// many more descendants the camera ray may have, is used up. Returns how many it put there.
+  int PushSpawned(const ShadingPoint& p, int room, TraceState& state) const;
   /// The rays that a surface reflects and transmits.
   void Spawn(const ShadingPoint& p, TraceState& state) const;
   void SpawnGlossy(const ShadingPoint& p, const R2::Color& throughput, const SampleIndex& back,

@@ -126,6 +126,20 @@ Json SamplesJson(const RunStats& record) {
   return json;
 }
 
+Json SceneJson(const RunStats& record) {
+  const auto& scene = record.scene;
+  return {{"file", record.options.files.scene}, {"hash", scene.hash},
+          {"nodes", scene.nodes},               {"instances", scene.instances},
+          {"primitives", scene.primitives},     {"lights", scene.lights}};
+}
+
+Json SecondsJson(const RunStats& record) {
+  const auto& seconds = record.seconds;
+  return {{"load", seconds.load},       {"build", seconds.build},   {"render", seconds.render},
+          {"denoise", seconds.denoise}, {"guides", seconds.guides}, {"write", seconds.write},
+          {"wall", seconds.wall},       {"cpu", seconds.cpu}};
+}
+
 Json Passes(const RunStats& record) {
   Json passes = Json::array();
   for (const Pass& pass : record.passes) {
@@ -139,31 +153,16 @@ Json Passes(const RunStats& record) {
 }  // namespace
 
 std::string ReportJson(const RunStats& record) {
-  const auto& [scene, rays, seconds] = std::tie(record.scene, record.rays, record.seconds);
   const Json report = {
       {"version", RAYPRO_VERSION},
       {"command", record.command},
-      {"scene",
-       {{"file", record.options.files.scene},
-        {"hash", scene.hash},
-        {"nodes", scene.nodes},
-        {"instances", scene.instances},
-        {"primitives", scene.primitives},
-        {"lights", scene.lights}}},
+      {"scene", SceneJson(record)},
       {"settings", SettingsJson(record)},
-      {"rays", Rays(rays, record.guide_rays, record.refinement)},
-      {"counts", CostJson(rays.Cost())},
+      {"rays", Rays(record.rays, record.guide_rays, record.refinement)},
+      {"counts", CostJson(record.rays.Cost())},
       {"accelerator", record.accelerator},
       {"structure_bytes", record.structure_bytes},
-      {"seconds",
-       {{"load", seconds.load},
-        {"build", seconds.build},
-        {"render", seconds.render},
-        {"denoise", seconds.denoise},
-        {"guides", seconds.guides},
-        {"write", seconds.write},
-        {"wall", seconds.wall},
-        {"cpu", seconds.cpu}}},
+      {"seconds", SecondsJson(record)},
       {"peak_memory_bytes", record.peak_memory},
       {"threads", record.threads},
       {"pixels", {{"done", record.pixels_done}, {"total", record.pixels_total}}},
