@@ -6,8 +6,8 @@
 
 namespace R3 {
 
-/// Finds the elements of a shape that a line may meet without asking each of them: a tree of boxes, halved at the
-/// middle element along the longest side.
+/// Finds the elements of a shape that a line may meet without testing each of them: a tree of boxes, split at the
+/// median element along the longest side.
 class ElementTree {
  public:
   explicit ElementTree(const Shape& shape);

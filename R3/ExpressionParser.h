@@ -15,7 +15,7 @@ class ExpressionParser {
  public:
   explicit ExpressionParser(Expression& expression) : expression_(expression), text_(expression.text_) {}
 
-  /// Throws ExpressionError.
+  /// Parses the whole text; throws ExpressionError.
   void Parse();
 
  private:
@@ -37,7 +37,7 @@ class ExpressionParser {
   /// The step that comes to the same, a new one unless there is one already.
   std::size_t Known(Expression::Step step);
   void SkipBlanks();
-  /// 0 at the end.
+  /// The next character that is not blank, which stays to be read; 0 at the end of the text.
   char Next();
   bool Takes(char c);
   void Expect(char c);

@@ -4,7 +4,7 @@
 
 namespace R3 {
 
-/// A direction perpendicular to a surface: moves with the inverse transpose, so that it stays perpendicular.
+/// A direction perpendicular to a surface. It is transformed by the inverse transpose, so that it stays perpendicular.
 /// A type of its own, so that only the right transform compiles.
 struct Normal {
   double x = 0, y = 0, z = 0;

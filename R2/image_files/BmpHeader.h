@@ -40,7 +40,6 @@ struct Header {
   std::vector<std::string> warnings;
 
   bool HasPalette() const { return bits <= 8; }
-  std::size_t PaletteColors() const { return palette.size() / palette_entry; }
   std::uint64_t RowBytes() const {
     return (std::uint64_t{1} * static_cast<unsigned>(size.width) * static_cast<unsigned>(bits) + 7) / 8;
   }

@@ -32,8 +32,8 @@ struct Span {
 /// A t that no hit is below where t_min is below 0: clearly less than it.
 inline double BeforeHits(double t_min) { return 2 * t_min; }
 
-/// Whether a point is beyond a slab and heads away from it: a line that does so leaves no later t to ClipToSlab, which
-/// is told without a division.
+/// Whether a point is beyond a slab and heads away from it: such a line leaves no later t to ClipToSlab, and
+/// this finds that out without a division.
 inline bool IsLeavingSlab(double low, double high, double from, double direction) {
   return ((from >= high) & (direction > 0)) | ((from <= low) & (direction < 0));
 }

@@ -6,8 +6,8 @@
 
 namespace ray {
 
-/// The whole of a regular file that Files found. Throws FileError, also when a link or another kind of file has taken
-/// its place since then. Together with StandardInput this is all that reads input; the page in a browser has its own.
+/// The contents of a regular file that Files found. Throws FileError, also if a link or another kind of file has taken
+/// its place since. Only this function and StandardInput read input; the page in a browser has its own version.
 std::string ReadFile(const FoundFile& file);
 
 }  // namespace ray

@@ -25,13 +25,13 @@ struct Node {
   Node& operator=(Node&&) noexcept;
   ~Node();
 
-  R3::Vector motion;     // how far it goes while the shutter is open, evenly, in the PARENT's coordinates
+  R3::Vector motion;     // displacement while the shutter is open, at constant speed, in the PARENT's coordinates
   R3::Matrix transform;  // parent from node; covers the children, the shape and the line
   std::shared_ptr<const R3::Shape> shape;     // null for a group
   std::unique_ptr<const R3::Segment> line;    // drawn by the viewer, ignored by the tracer
   int material = inherit;                     // index into Scene::materials, handed down to children that inherit
   std::optional<R3::CsgOperation> operation;  // on the children
-  R3::Box bounds;                             // in the PARENT's coordinates, wherever it goes; empty for an empty group
+  R3::Box bounds;                             // in the PARENT's coordinates, over its motion; empty for an empty group
   Location location;
   std::vector<Node> children;
 };

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <list>
 
-/// oneTBB's interface where there is one thread: loops run in order, tasks when they are given. An instance of
-/// WebAssembly without shared memory has one thread.
+/// oneTBB's interface for a single thread: loops run in order, and tasks at once. An instance of WebAssembly without
+/// shared memory has one thread.
 namespace tbb {
 
 template <typename Index>
@@ -52,7 +52,7 @@ class task_arena {
   }
 };
 
-/// Holds one value once it was asked for, and none before.
+/// Holds one value, made when it is first asked for.
 template <typename T>
 class enumerable_thread_specific {
  public:
