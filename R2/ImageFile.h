@@ -134,7 +134,7 @@ Whole Quantized(double channel, double most, Quantization how) {
 inline unsigned char ToByte(double channel, Quantization how = Quantization::rounded) {
   return Quantized<unsigned char>(channel, 255, how);
 }
-/// 16-bit likewise.
+/// 16-bit value of a channel, clamped to [0, 1]; NaN gives 0.
 inline unsigned short ToShort(double channel, Quantization how = Quantization::rounded) {
   return Quantized<unsigned short>(channel, 65535, how);
 }

@@ -20,7 +20,7 @@ struct CsgPart {
   std::shared_ptr<const Shape> solid{};  // null for an operation
   Transform csg_from_solid{};
   double slack = 0;  // by how much rounding of the frame's matrices may move the solid, in the csg's own units
-  int material = no_material;  // of the solid, as whoever makes the Csg numbers them; none: that of the whole Csg
+  int material = no_material;  // of the solid, numbered by the caller; none: that of the whole Csg
 };
 
 /// A solid made of solids (constructive solid geometry).

@@ -11,7 +11,7 @@ struct CsgCrossing {
   double t = 0;              // that Intersect of the solid gives
   double low = 0, high = 0;  // what it is within in spite of rounding
   bool enters = false;
-  std::size_t part = 0;  // which solid; whoever asks fills it in
+  std::size_t part = 0;  // which solid; set by the caller
   int element = 0;       // of the solid
 };
 

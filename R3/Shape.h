@@ -107,9 +107,9 @@ class Shape {
   virtual Profile ProfileInBounds() const { return {}; }
   /// The sphere that the shape is, if it is one: IntersectSphere then is its Intersect.
   virtual std::optional<SphereData> AsSphere() const { return {}; }
-  /// The materials of its parts, each once, as whoever made it numbers them; none where all of it has one material.
+  /// The materials of its parts, each once, as its maker numbered them; none if all of it has one material.
   virtual std::vector<int> MaterialsOfParts() const { return {}; }
-  /// That of the part at a hit; negative where the part has none of its own. Asked only where there are some.
+  /// The material of the part at a hit; negative if the part has none. Called only if MaterialsOfParts names some.
   virtual int MaterialOf(const Hit& /*hit*/) const { return -1; }
   /// Nothing for a shape that is not of a kind of shapes.def.
   virtual std::optional<Recipe> MadeFrom() const { return {}; }

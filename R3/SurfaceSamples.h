@@ -9,7 +9,7 @@
 
 namespace R3 {
 
-/// Places on one surface drawn at random, each as a point of its own sees it: what a SurfaceSample holds, in columns.
+/// Random places on one surface, each as seen from a different point: what a SurfaceSample holds, in columns.
 struct SurfaceSamples {
   static constexpr std::uint32_t most = R1::batch_size;
 

@@ -10,7 +10,7 @@
 /// through their C frames, so they are left by longjmp, and the exception is thrown on our side.
 namespace R2 {
 
-/// Where to go on after an error, and what the library said.
+/// Where to continue after an error, and the library's message.
 struct Jump {
   std::jmp_buf place;
   char message[256] = "";

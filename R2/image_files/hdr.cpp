@@ -177,8 +177,8 @@ std::string Text(double number) {
           std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 6).ptr};
 }
 
-/// Values are given as they are stored, as all readers of textures do. What the header says of them besides is told,
-/// unless it says nothing new.
+/// What the header says about the values, unless it changes nothing. The values themselves stay as they are stored, as
+/// all readers of textures have it.
 std::vector<std::string> Warnings(const Header& header) {
   std::vector<std::string> warnings;
   if (header.exposure != 1)

@@ -145,7 +145,7 @@ class Cone : public Shape {
   /// horizontal parts of origin (from the apex) and direction, and R0 + t R1 the cone's radius along the ray, that is
   ///     A t^2 - 2 B t + C <= 0,   A = |e|^2 - R1^2,   B = R0 R1 - g.e,   C = |g|^2 - R0^2,
   /// all factored so that nothing cancels, and B^2 - A C = |R0 e - R1 g|^2 - |g x e|^2 (Lagrange's identity for the
-  /// form x^2 + z^2 - r^2), the counterpart of the sphere's miss distance; factored likewise. A steep ray from afar
+  /// form x^2 + z^2 - r^2), the counterpart of the sphere's miss distance, factored too. A steep ray from afar
   /// still loses what A, B and C each lose against |g|^2, so one step of Newton's method from each root, with the form
   /// evaluated at the point itself, ends it. Own derivation; oracle: 113-bit arithmetic in tests/extremes/cone.cpp.
   /// Returns false on a certain miss.

@@ -50,7 +50,7 @@ double RootBetween(const std::array<Number, size>& c, double low, double high, b
 }
 
 /// Where the polynomial changes its sign in [low, high]. It rises or falls all the way between the roots of its
-/// derivative, which are found likewise, in plain doubles: beside a turn the value hardly changes. Where it only
+/// derivative, which are found in the same way, in plain doubles: near a turn the value hardly changes. Where it only
 /// touches zero, the sign of the rounded value at the turn decides.
 template <typename Number, std::size_t size>
 Places<size - 1> SignChanges(const std::array<Number, size>& c, double low, double high) {

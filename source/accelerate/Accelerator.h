@@ -80,9 +80,8 @@ class Accelerator {
   std::vector<std::string> reasons;  // why `auto` chose it
   /// What was built, in lines for the reader of -explain.
   virtual std::vector<std::string> Explain() const { return {}; }
-  /// How many levels of boxes within boxes it has to show, and the boxes of one of them, the outermost level 0; in the
-  /// world, for the viewer. Of structures over the insides of shared meshes only the box around each is told. None
-  /// where it has no boxes of its own.
+  /// How many levels of nested boxes it has, for the viewer, and the boxes of one level in the world; level 0 is the
+  /// outermost. Of the structure inside a shared mesh only the box around it is there. 0 for one that has no boxes.
   virtual int BoxLevels() const { return 0; }
   virtual std::vector<R3::Box> BoxesAt(int /*level*/) const { return {}; }
   /// Bytes of memory that the structure takes, besides the world's own.

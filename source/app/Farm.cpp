@@ -55,8 +55,8 @@ RenderState BeginningOf(PartReader& reader, const Options& options, const std::s
   return state;
 }
 
-/// What is rendered before the image is assembled has less time than that: whoever assembles reads and builds the scene
-/// as this process did, and filters the image.
+/// Rendering has less time than the whole, since the process that assembles the image reads and builds the scene as
+/// this one did, and filters the image.
 ///   before_samples   what this process took for that, in seconds
 ///   filters          whether to leave time for them
 RenderSettings SettingsInTime(const Options& options, double before_samples, bool filters) {
@@ -151,7 +151,7 @@ void PrintMissingParts(const Options& asked) {
   auto next = PlannedRound(scene, reader, std::move(round), watch);
   if (!next || (is_timed && !HasTimeForRound(options, reader, *next))) return;
   const std::string of_next = lines_of(*next);
-  // Before anyone is told to follow it.
+  // The plan is there before anyone can be asked to follow it.
   writer.WritePlan(std::move(*next), is_timed ? reader.SecondsSinceBegin().value_or(0) : 0);
   WriteStandardOutput(of_next);
 }

@@ -53,8 +53,8 @@ void Ignore(int signal) {
 void GuardStandardStreams() {
   Ignore(SIGPIPE);
   Ignore(SIGXFSZ);
-  // open() gives the lowest free descriptor, so this fills every gap below 3. Nothing can be written there: whoever
-  // closed standard output is told that what was asked for went nowhere.
+  // open() gives the lowest free descriptor, so this fills every gap below 3. Nothing can be written there, so
+  // with standard output closed, output that goes nowhere is an error.
   int descriptor = open("/dev/null", O_RDONLY);
   while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDONLY);
   if (descriptor >= 0) close(descriptor);

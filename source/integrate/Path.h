@@ -39,7 +39,7 @@ class Path : public Integrator {
   void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
  private:
-  /// What a ray that goes on from a point was chosen by.
+  /// How a ray that continues from a point was chosen.
   struct Step {
     const ShadingPoint& from;
     Lobe lobe;
@@ -98,7 +98,7 @@ class Path : public Integrator {
   /// Goes on to the next surfaces, which come to `next`; light that is found on the way is gathered by path.
   void TakeStep(const PathFront& front, std::span<R2::Color> gathered, PathFront& next, TraceState& state) const;
   PathFront::Scattered SampleBsdfs(const PathFront& front) const;
-  /// Chooses where a path goes on from point number `i`, whose Bsdf this is, if it does not end there.
+  /// Chooses how a path continues from point number `i`, whose Bsdf this is, if it does not end there.
   ///   choices   uniform in [0, 1): two for a direction, one for a lobe, one for Russian roulette; the direction that
   ///             the diffuse lobe makes of the first two stands in `scattered`
   void SampleBsdf(const ShadingPoint& p, std::uint32_t i, const Bsdf& bsdf, const std::array<double, 4>& choices,

@@ -19,7 +19,8 @@ struct PathFront {
   using ArrayOfEach = std::array<Thing, LightSamples::most>;
 
   std::vector<ShadingPoint> points;
-  // For each point, the numbers of its camera sample, of the point that its path came from and of the ray that led there.
+  // For each point, the numbers of its camera sample, of the point that its path came from and of the ray that led
+  // there.
   ArrayOfEach<std::uint32_t> paths, from, rays;
   // Made of all points, once they are known.
   ArrayOfEach<SampleIndex> indices;
@@ -61,7 +62,7 @@ struct PathFront {
     ray::ReflectByPhong({normals, wo, kd, ks, exponents.data(), exponent_bits, has_highlights}, samples);
   }
 
-  /// Where paths go on from the points: at most one way each.
+  /// How paths continue from the points: at most in one direction each.
   struct Scattered {
     R1::Columns<R3::Vector> directions;  // unit; diffuse ones where nothing else was chosen
     R1::Columns<R2::Color> throughputs;  // what survives Russian roulette, 0 where nothing does

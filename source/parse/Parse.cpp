@@ -180,8 +180,8 @@ void Change(Camera& camera, const CameraChange& change, Report& report, const st
   if (change.fov) SetAngle(camera, *change.fov);
 }
 
-/// What an orthographic camera sees that nobody gave a width: as much as the pinhole at the middle of the scene, or all
-/// of the scene where the eye is in it or beyond.
+/// Sets the width of an orthographic camera that has none: what a pinhole sees at the middle of the scene, or all of
+/// the scene if the eye is in it or beyond.
 void SetWidth(Camera& camera, const R3::Box& bounds) {
   if (camera.kind->extent != CameraExtent::width || camera.extent > 0) return;
   const double radius = bounds.IsEmpty() ? 0 : bounds.Radius();

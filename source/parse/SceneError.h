@@ -28,7 +28,7 @@ struct SceneError {
 /// Everything wrong with a scene, at most 20 mistakes of it in full, then a count. what() is the report.
 class SceneErrors : public std::runtime_error {
  public:
-  /// Readers give up after so many: a file of another kind would only go on failing.
+  /// Readers give up after this many: a file of another kind would only keep failing.
   static constexpr std::size_t max_kept = 1000;
 
   explicit SceneErrors(std::vector<SceneError> all);

@@ -5,8 +5,8 @@
 
 namespace ray {
 
-/// A picture in that mode as a screen of 0..1 can show it: depth from white, the nearest, to black; normals as (N + 1)
-/// / 2; a color of its own for each id. Others as they are.
+/// An image of that mode as a screen of 0..1 can show it: depth from white, the nearest, to black; normals as (N + 1) /
+/// 2; a different color for each id. Images of other modes stay as they are.
 R2::Image LayerAsShown(RenderMode mode, const R2::Image& image);
 /// Whether that changes nothing, so that large pictures need not be copied.
 bool IsShownAsItIs(RenderMode mode);

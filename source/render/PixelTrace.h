@@ -51,7 +51,8 @@ inline constexpr std::size_t most_rays_of_tree = 1000;
 std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings,
                     std::size_t most_rays = most_rays_of_tree, Digits digits = Digits::five);
 
-/// For a program's user: all samples of one pixel; of a picture that stops by itself, as many as it may have.
+/// Describes all samples of one pixel to the user. If an error or a time ends the render, these are the most it may
+/// take.
 std::string DebugPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
                        int row, Digits digits = Digits::five);
 

@@ -25,12 +25,12 @@ enum class RenderPhase { samples, guides, filters };
 
 /// How far a phase of a render has come.
 struct RenderProgress {
-  std::int64_t done = 0, total = 0;  // samples, of an error budget as many as are foretold; of time, milliseconds
+  std::int64_t done = 0, total = 0;  // samples, with an error budget as predicted; with a time, milliseconds
   std::uint64_t rays = 0;            // of all kinds, so far; 0 but for samples
   RenderPhase phase = RenderPhase::samples;  // else `done` and `total` are parts of it
 };
 
-/// What a render needs from whoever asked for it.
+/// What a render needs from its caller.
 struct RenderMonitor {
   const std::atomic<bool>* stop = nullptr;               // looked at before each few rays; may be null
   std::function<void(const RenderProgress&)> tile_done;  // called from any thread, one at a time; may be empty

@@ -47,8 +47,8 @@ struct SampleBatch {
 /// Traces the samples that are due. What a ray brings back depends on its pixel, stream and index alone, never on which
 /// others are in its batch or came before it; except in the modes that show costs, where an accelerator remembers the
 /// last hit.
-///   returns   whether nobody asked to stop by state.stop, looked at before, when nothing is traced, and after, when
-///             integrators may have left off
+///   returns   false if state.stop asked to stop: before, when nothing is traced, or meanwhile, when integrators may
+///             have broken off
 bool Trace(const SampleSource& source, TraceState& state, SampleBatch& batch);
 
 /// Traces camera rays a batch at a time, and gives each to splat(column, row, sample, radiance) in the order they were
@@ -65,7 +65,7 @@ class BatchTracer {
     batch_.due.push_back(sample);
     return batch_.due.size() < R1::batch_size || Finish();
   }
-  /// Traces what has not been. Returns whether nobody asked to stop, see Trace.
+  /// Traces the samples that are left. Returns false if asked to stop, see Trace.
   bool Finish() {
     if (state_.IsStopped()) return false;
     const bool goes_on = Trace(source_, state_, batch_);
@@ -94,13 +94,13 @@ struct SamplesDue {
 
 /// The road of every sample: pixel, camera ray, integrator, film. Adds the samples that are due to `sums`. Of `batch`
 /// only the memory is used.
-///   returns   whether nobody asked to stop by state.stop, looked at before each batch; else `sums` is of no use
+///   returns   false if state.stop, looked at before each batch, asked to stop; `sums` is of no use then
 bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
                  SampleBatch& batch, BlockSums& sums);
 
 /// Takes sample 0 of the first stream at more places of a block, from looks.size() to `places` - 1 of BlockOrder. Of
 /// `batch` only the memory is used.
-///   returns   whether nobody asked to stop, as RenderBlock does; `looks` then has `places` colors
+///   returns   false if asked to stop, as RenderBlock does; otherwise `looks` has `places` colors
 bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int places, TraceState& state,
                   SampleBatch& batch, std::vector<R2::Color>& looks);
 

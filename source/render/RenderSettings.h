@@ -45,7 +45,7 @@ struct Budget {
   std::optional<ErrorTarget> error;  // stop when the upper end of the error's interval is below
   double confidence = 0.95;          // of that interval, in (0, 1)
   Adaptive adaptive = Adaptive::automatic;
-  bool is_endless = false;  // go on until asked to stop, for whoever looks on
+  bool is_endless = false;  // continue until asked to stop, as the viewer does
 
   bool IsOpen() const { return seconds > 0 || error || is_endless; }
 };
@@ -100,7 +100,7 @@ struct RenderSettings {
   std::optional<ImagePart> part;  // of which alone blocks are rendered, see RenderPart
   bool denoise = false;           // filter the picture of light once it is complete; takes two streams
   Denoiser denoiser = Denoiser::regression;
-  bool denoises_beyond_crop = true;  // or, for whoever only wants to know what it costs, the crop as if it were all
+  bool denoises_beyond_crop = true;  // false, to learn what it costs: the crop is denoised as if it were all
   double flare = 0;  // how bright lens flares are that are added to the finished picture, see AddFlare; 0: none
   bool srgb = false;                 // the picture will be sRGB encoded, so display errors are counted after that
   bool wants_passes = false;         // measure the error pass by pass, to see it fall
@@ -133,8 +133,9 @@ inline bool SamplesWhereNeighborsDiffer(const RenderSettings& settings) {
   return HasSamplesWhereNeighborsDiffer(settings) && !settings.replay;
 }
 
-/// How many pixels around that part are made, so that what looks at neighbors sees those of the whole: the denoiser, or
-/// whoever compares the pixels of blocks. Blocks that a wide filter reaches the part from are compared as well.
+/// How many pixels around that part are rendered, so that what depends on neighbors is as in the whole image: the
+/// denoiser, and the comparison of the pixels of blocks. Blocks that a wide filter reaches the part from are compared
+/// too.
 inline int SurroundingsOf(const RenderSettings& settings) {
   if (HasSamplesWhereNeighborsDiffer(settings)) return BlockOrder::side + Filter(settings.filter).Apron();
   return settings.denoise && settings.denoises_beyond_crop ? denoise_reach : 0;

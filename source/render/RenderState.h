@@ -20,7 +20,7 @@ struct Pass {
   std::optional<ErrorEstimate> error;
 };
 
-/// A render between two samples: all that is needed to go on to the same picture, bit for bit.
+/// A render between two samples: all that is needed to continue to the same image, bit for bit.
 struct RenderState {
   std::vector<Film::Block> blocks;
   ScheduleState schedule;
@@ -44,7 +44,7 @@ struct OtherImageError : CheckpointError {
 std::vector<unsigned char> Encoded(const RenderState& state, const std::string& identity);
 
 /// Throws CheckpointError for anything but what Encoded gave for the same identity and a film of the same blocks; the
-/// message names the first line of the identity that differs. `film` is an empty one of the picture that goes on.
+/// message names the first line of the identity that differs. `film` is an empty film of the image to be continued.
 RenderState DecodedState(std::span<const unsigned char> bytes, const std::string& identity, const Film& film);
 
 /// Throws CheckpointError when going on from the state to the samples of the settings would not give the picture of a

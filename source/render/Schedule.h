@@ -38,7 +38,7 @@ struct PassTargets {
   friend bool operator==(const PassTargets&, const PassTargets&) = default;
 };
 
-/// What a schedule is told of a pass that is over.
+/// What a schedule learns about a pass that is over.
 struct PassOutcome {
   double now = 0;            // seconds since the program began
   double seconds_taken = 0;  // by the pass
@@ -48,7 +48,7 @@ struct PassOutcome {
   double seconds_after = 0, seconds_after_per_sample = 0;
   bool has_stalled = false;          // see ErrorForecast
   bool is_of_many_machines = false;  // which begin anew for each pass, so that there should be few
-  std::vector<double> contrasts{};   // of neighboring pixels as displayed, in [0, 1], of each block; see LooksAtContrast
+  std::vector<double> contrasts{};   // of neighboring pixels as displayed, in [0, 1], per block; see LooksAtContrast
 };
 
 /// Where a schedule stands; kept in checkpoints.
@@ -58,13 +58,12 @@ struct ScheduleState {
   std::uint32_t end = 0;                    // the target of the blocks that take part in the pass
 };
 
-/// Decides between two passes over a picture which blocks go on, to how many samples, and when to stop. It traces
-/// nothing and reads no clock: what it knows it is told. The first pass looks at a pixel of each block, so that there
-/// is a picture at once and the speed is known; where all first samples would take long, more pixels follow. Then each
-/// pass doubles the samples, or takes fewer where the error is nearly down to its target or the time is nearly over.
-/// An error that does not fall ends a render that nothing else would end.
-/// Modes that show costs, which depend on the order of rays, are one pass without a budget. A replay repeats the passes
-/// of an earlier render.
+/// Decides between two passes over an image which blocks continue, to how many samples, and when to stop. It traces
+/// nothing and reads no clock: all it knows comes from its caller. The first pass takes a pixel of each block, so that
+/// there is an image at once and the speed is known; if all first samples would take long, more pixels follow. Then
+/// each pass doubles the samples, or takes fewer where the error is nearly down to its target or the time is nearly
+/// over. An error that does not fall ends a render that nothing else would end. Modes that show costs, which depend on
+/// the order of rays, are one pass without a budget. A replay repeats the passes of an earlier render.
 class Schedule {
  public:
   /// `in_passes`: double the samples pass by pass whatever the mode.

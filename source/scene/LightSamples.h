@@ -9,7 +9,7 @@
 
 namespace ray {
 
-/// Samples of one light, each as seen from a point of its own or all from one: what a LightSample holds, in columns.
+/// Samples of one light, seen from a different point each or all from one: what a LightSample holds, in columns.
 struct LightSamples {
   static constexpr std::uint32_t most = R1::batch_size;
   using Each = double[most];

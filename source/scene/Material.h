@@ -24,7 +24,7 @@ struct Material {
   double ir = 1;  // index of refraction against 1 outside, > 0
   std::shared_ptr<const Texture> texture;
   R2::Vector texture_scale{1, 1};      // how often all its images repeat over 0..1 of u and of v, > 0
-  bool texture_multiplies_ka = false;  // as well as kd; vertex colors likewise
+  bool texture_multiplies_ka = false;  // as well as kd; so do vertex colors
   bool projects_textures = false;      // images lie over meshes without texture coordinates, see Mesh::Projected
   bool one_sided = false;              // surfaces are there only for rays that arrive at their front
   bool has_vertex_colors = false;      // kd is multiplied by the colors of a mesh's vertices

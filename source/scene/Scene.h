@@ -23,7 +23,7 @@ struct SceneSetting {
 /// What was asked for. Never changes after parsing.
 struct Scene {
   Node root;                                    // identity transform; its bounds are the scene's, in world coordinates
-  std::vector<Material> materials{Material{}};  // 0 is the default, for nodes that inherit from nobody
+  std::vector<Material> materials{Material{}};  // 0 is the default, for nodes with none to inherit
   std::vector<std::unique_ptr<const Light>> lights;
   Camera camera;
   R2::Color background, ambient;

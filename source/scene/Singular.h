@@ -6,7 +6,7 @@ namespace ray {
 
 /// A group whose matrix squeezes space beyond this cannot be intersected: a double has no digits left for its inverse.
 inline constexpr double singular_condition = 3e14;  // about 10^14.5
-/// Beyond this the author is told that digits are getting short.
+/// Beyond this a warning says that digits are getting short.
 inline constexpr double nearly_singular_condition = 3e10;  // about 10^10.5
 
 /// Whether the subtree under such a matrix is left out of the picture.

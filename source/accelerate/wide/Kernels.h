@@ -4,7 +4,7 @@
 
 namespace ray::wide {
 
-/// The search through trees of boxes, whoever built them, for WithInstructionSet: stores a Kernels<Tree>.
+/// The search through trees of boxes, however they were built, for WithInstructionSet: stores a Kernels<Tree>.
 void ChooseKernels(void* kernels);
 
 }  // namespace ray::wide

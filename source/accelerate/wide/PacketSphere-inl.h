@@ -40,7 +40,7 @@ struct SphereMask {
   std::uint32_t maybe = 0, certain = 0;
 };
 
-/// With `any`, the certain ones are told too: those that hit before `limit`, one for each ray.
+/// With `any`, finds the certain ones too: those that hit before `limit`, which holds one distance per ray.
 template <bool any>
 HWY_INLINE SphereMask TestSphereLanes(const RoundedSphere& sphere, const Packet& packet, const FloatEach& limit) {
   const PacketFloats f;

@@ -24,10 +24,10 @@ HWY_INLINE void ForEachBit(std::uint32_t bits, const Work& work) {
   for (; bits != 0; bits &= bits - 1) work(std::countr_zero(bits));
 }
 
-/// Packet traversal. Whether a node is reached is asked of the whole packet, eight children at a time; whether a child
-/// is, of its rays, all at a time; and so are triangles. Where few rays go on, they go alone; and so do all of a packet
-/// that is not coherent, made ready together nevertheless, unless the tree is so small that most of its boxes are
-/// reached by many of them: then these are asked one after the other.
+/// Packet traversal. Eight children of a node at a time are tested against the bounds of the whole packet; then each
+/// child, and each triangle, against all rays at once. Where few rays remain, they continue one by one. So do the rays
+/// of a packet that is not coherent, although they are set up together, unless the tree is so small that many of them
+/// reach most of its boxes: then the boxes are tested one after the other.
 ///   source  Wald, Slusallek, Benthin, Wagner, Interactive rendering with coherent ray tracing (2001);
 ///           Reshetov, Soupikov, Hurley, Multi-level ray tracing algorithm (2005), for the bounds of a packet
 template <bool any>

@@ -12,7 +12,7 @@ namespace ray {
 /// But for the samples, which may become more.
 std::string IdentityOf(const Options& options, const std::string& scene_hash);
 
-/// The state of a render in a file beside the picture so far, from which -resume goes on: "out.jpg.checkpoint", or
+/// The state of a render in a file beside the picture so far, from which -resume continues: "out.jpg.checkpoint", or
 /// "out.partial.jpg.checkpoint" where a finished picture has the name. It is written every -checkpoint, and whenever a
 /// signal ends the run, whole or not at all; removed when the picture is finished, unless -keep_checkpoint wants
 /// samples to be added later. No other render removes or replaces it.
@@ -23,7 +23,7 @@ class Checkpoint {
   ///   is_of_course   the command line of a course has neither option
   Checkpoint(const FileOptions& files, const CheckpointOptions& options, bool is_of_course);
 
-  /// A failure is told and costs no picture: the state is kept in the temporary folder, until a later one is saved.
+  /// A failure is a warning and loses nothing: the state is kept in the temporary folder until a later one is saved.
   ///   identity   IdentityOf the image
   void Save(const RenderState& state, const std::string& identity);
   bool Exists() const { return Found() != nullptr; }

@@ -10,9 +10,9 @@ namespace ray {
 /// locked, so that another process can tell it from what a killed one left behind. Everything throws std::system_error.
 class TemporaryFile {
  public:
-  /// Its mode bits, and where the system lets us its owner and group, are those of the file that it takes the place of:
-  /// whoever shut a picture off does not find it open after the next render. Where there is none, they are those of any
-  /// new file: 666 less the umask.
+  /// Its mode bits, and where the system permits its owner and group, are those of the file that it replaces, so that
+  /// an image that others may not read stays so after the next render. Without such a file they are those of any new
+  /// file: 666 less the umask.
   explicit TemporaryFile(const std::filesystem::path& target) : TemporaryFile(target, target) {}
   /// For a target that takes the place of another file, `replaced`.
   TemporaryFile(const std::filesystem::path& target, const std::filesystem::path& replaced);

@@ -22,7 +22,7 @@ std::unique_ptr<Window> WindowUntilLoaded(const std::future<std::shared_ptr<cons
   try {
     window = MakeWindow(width, height, "rayview");
   } catch (const ContextError&) {
-    return nullptr;  // which is told once there is something to draw
+    return nullptr;  // the error is reported once there is something to draw
   }
   Canvas canvas(Canvas::Target::window);
   const std::string name = std::filesystem::path(file).filename().string();

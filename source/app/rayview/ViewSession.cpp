@@ -80,7 +80,7 @@ ViewerSettings SettingsFor(const Options& options) {
   return settings;
 }
 
-/// The habits of whoever looks on, which a script that is recorded must not depend on either.
+/// The file of the user's habits; none for scripts and recordings, which must not depend on them.
 std::string HabitsFile(const Options& options) {
   return IsLookedAt(options.view) && options.view.record.empty() ? PanelHabitsFile() : std::string();
 }

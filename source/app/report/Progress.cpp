@@ -13,7 +13,7 @@ constexpr const char* to_line_start_and_clear = "\r\033[K";
 
 std::string Bold(const std::string& text) { return HasColors() ? "\033[1m" + text + "\033[0m" : text; }
 
-/// What comes after the samples, for whoever waits.
+/// What is done after the samples, as shown beside the progress.
 const char* WordsOf(RenderPhase phase) { return phase == RenderPhase::guides ? "gathering guides" : "denoising"; }
 
 std::string TwoDigits(std::int64_t n) { return (n < 10 ? "0" : "") + std::to_string(n); }

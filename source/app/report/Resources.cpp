@@ -20,8 +20,8 @@ double Seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// What Linux says in a file of its own, 0 elsewhere. Resource usage also counts what the process was that started this
-/// one, until this program took its place.
+/// The peak that Linux gives in /proc, 0 elsewhere. The one of getrusage also counts the process that started this one,
+/// from before it became this program.
 std::int64_t PeakOfProcFile() {
   std::ifstream status("/proc/self/status");
   std::int64_t kibibytes = 0;

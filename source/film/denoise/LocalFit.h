@@ -26,7 +26,7 @@ struct LocalFitInput {
 ///            4
 ///   accuracy 1e-5, of colors of about 1, beside the same in double precision (tests/source/film/denoise/LocalFit.cpp);
 ///            the same bits for any tiles, threads and instruction sets
-/// The meter is told of each tile; once it is stopped, the rest stays black.
+/// Reports each tile to the meter; once that is stopped, the rest stays black.
 Pixels<Rgb> LocalFit(const LocalFitInput& input, WorkMeter& meter);
 /// How many tiles that are.
 std::int64_t LocalFitTiles(int width, int height);

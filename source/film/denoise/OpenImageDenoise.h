@@ -16,8 +16,8 @@ struct DenoiserError : std::runtime_error {
 };
 
 /// Intel Open Image Denoise, versions 1.4 and later, on the processor: a neural network trained on path traced
-/// pictures. It is loaded when it is first asked for, so that nobody needs it who does not. Its bits are the same for
-/// any number of threads, but may be others on another machine or in another version.
+/// images. The library is loaded when it is first used, so that programs run without it. Its results are bit-identical
+/// for any number of threads, but may differ on another machine or in another version.
 ///   source   Open Image Denoise API reference (openimagedenoise.org/documentation.html), filter RT
 class OpenImageDenoise {
  public:

@@ -8,7 +8,7 @@
 
 namespace ray {
 
-/// How far work is that threads share, for whoever waits for it, and whether it is still wanted.
+/// The progress of work that threads share, and whether it is still wanted.
 class WorkMeter {
  public:
   /// Told that `done` of `total` parts are, by one thread at a time.

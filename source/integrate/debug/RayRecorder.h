@@ -35,8 +35,8 @@ struct RecordedRay {
   }
 };
 
-/// Keeps the rays of a few samples, as the tracer that is told of it through a TraceState meets them. The tracer asks
-/// for the nearest thing in the way of a shadow ray only when it is being watched; all else is what it traces anyway.
+/// Keeps the rays of a few samples. A tracer whose TraceState names a recorder reports its rays to it. Only for a
+/// recorder does the tracer find the nearest thing in the way of a shadow ray; all else is what it traces anyway.
 class RayRecorder {
  public:
   /// A ray begins that comes from the end of ray `record`, if any; its own number.

@@ -11,7 +11,7 @@ namespace {
 // What R3::Shape promises of Intersect, in units of the distance and the size.
 constexpr double accuracy_of_hits = 32 * R3::unit_roundoff;
 
-/// Rays are told to hit the surface when they come this near to it.
+/// Rays count as hitting the surface when they come this near to it.
 double Nearness(double distance, double size) { return accuracy_of_hits * (distance + size); }
 
 /// How much of the way to a place is left when it is cut off where it is as high above the surface as the error there;

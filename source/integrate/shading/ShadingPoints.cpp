@@ -83,7 +83,7 @@ void FaceRays(Surfaces& all) {
   }
 }
 
-/// The rest, which each point has of its own.
+/// Fills in the rest, which differs from point to point.
 ///   is_smoothed   whether the shading normals may be others than the surfaces'
 template <bool is_smoothed>
 void Finish(const World& world, const Surfaces& all) {

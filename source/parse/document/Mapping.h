@@ -64,7 +64,7 @@ class Field {
 };
 
 /// The keys of a mapping, each asked for by its names: the usual one first, then others that mean the same. Finish()
-/// must be called when all have been asked for: it tells of keys that are missing and of keys that nobody knows.
+/// must be called when all have been asked for: it reports missing keys and unknown ones.
 class Mapping {
  public:
   using Names = std::initializer_list<std::string_view>;

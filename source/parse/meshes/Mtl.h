@@ -30,8 +30,8 @@ struct MtlMaterial {
   std::optional<MtlMap> map_Kd, bump, norm;
 };
 
-/// Reads a material library. What it says beyond that is told in warnings, one for each kind of statement, with the
-/// place of the first. Throws SceneError.
+/// Reads a material library. Warns about statements that have no effect here, once for each kind, with the place of the
+/// first. Throws SceneError.
 ///   source   Wavefront, Advanced Visualizer manual, MTL material format (1995); Ke and norm as Blender writes them
 std::vector<MtlMaterial> ReadMtl(const Text& file, Report& report);
 

@@ -15,8 +15,8 @@ namespace ray {
 /// pictures of noise, which takes some fifty milliseconds of one processor. Guides come on top. Throws DenoiserError.
 double SecondsToFilter(const RenderSettings& settings);
 
-/// How long a picture would take to be denoised, were its last sample taken: foretold by denoising small parts of it,
-/// again whenever passes added a third of its samples.
+/// Predicts how long it would take to denoise an image once its last sample is taken. It denoises small parts of the
+/// image, again whenever passes have added a third of its samples.
 ///   accuracy   as docs/accuracy.md has it: rays within some percent; what one takes, as steady as the machine
 class DenoiseForecast {
  public:
