@@ -18,7 +18,7 @@ struct DrawingSpace {
   R3::Point center;
   double radius = 1;  // > 0
 
-  /// Of a scene with this box; radius 1 for an empty one or a point.
+  /// The space of a scene with this box; radius 1 for an empty one or a point.
   static DrawingSpace Of(const R3::Box& scene);
   std::array<float, 3> At(const R3::Point& p) const {
     return {static_cast<float>((p.x - center.x) / radius), static_cast<float>((p.y - center.y) / radius),
@@ -65,7 +65,7 @@ struct Label {
   double x = 0, y = 0;
   std::string text;  // UTF-8
   Rgba color{255, 255, 255, 255};
-  /// Of the black behind it: letters as light as (208, 208, 208) keep 4.5 : 1, also where that covers white.
+  /// Opacity of the black behind it: letters as light as (208, 208, 208) keep 4.5 : 1, also where that covers white.
   static constexpr int ground_alpha = 170;
 };
 

@@ -12,7 +12,7 @@ constexpr double radians_across = 4;  // of a drag over the whole drawing
 constexpr double filled = 0.9;        // of the picture, by what is framed
 constexpr double narrowest = 0.005, widest = 1.5;
 
-/// The same camera in another pose.
+/// A copy of a camera in another pose.
 Camera Posed(const Camera& like, const R3::Point& eye, const R3::Vector& towards, const R3::Vector& up) {
   const Camera aimed = Aim(eye, towards, up).camera;
   Camera camera = like;

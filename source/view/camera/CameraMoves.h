@@ -23,8 +23,8 @@ struct DrawingSize {
 Camera Turned(const Camera& camera, const R3::Point& center, const R3::Vector& axis, double angle);
 /// The course's: about the axis towards x (right x + up y) by 4 (|x| + |y|) radians.
 Camera Rotated(const Camera& camera, const R3::Point& center, const R2::Point& drag);
-/// As a turntable: about `vertical` by 4 x, then up or down by 4 y, stopping short of the poles, where the horizon
-/// would flip.
+/// Turns like a turntable: about `vertical` by 4 x, then up or down by 4 y, stopping short of the poles, where the
+/// horizon would flip.
 Camera RotatedUpright(const Camera& camera, const R3::Point& center, const R3::Vector& vertical, const R2::Point& drag);
 /// The course's: f = exp(2 (x + y)), eye += (center - eye) (f - 1) / f.
 Camera Zoomed(const Camera& camera, const R3::Point& center, const R2::Point& drag);

@@ -14,7 +14,7 @@ struct PixelBox {
 class FlatView {
  public:
   bool IsShown() const { return is_shown_; }
-  /// As it fits, and all of it.
+  /// Shows the whole image, as large as fits.
   void Show() { *this = FlatView(), is_shown_ = true; }
   void Hide() { is_shown_ = false; }
 

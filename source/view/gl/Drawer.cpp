@@ -157,8 +157,4 @@ void Drawer::Draw(const FrameState& state) {
   if (state.panels) painter_.panels.Draw(*state.panels, canvas);
 }
 
-std::vector<float> Drawer::ReadBackQuad() {
-  return quad_.uploaded ? painter_.pictures.ReadBack(*quad_.uploaded) : std::vector<float>{};
-}
-
 }  // namespace ray

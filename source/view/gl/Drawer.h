@@ -15,8 +15,6 @@ class Drawer {
   explicit Drawer(Painter& painter) : painter_(painter) {}
 
   void Draw(const FrameState& state);
-  /// The picture on the quad as it was last drawn, for tests: rows from the bottom, r g b.
-  std::vector<float> ReadBackQuad();
 
  private:
   /// A list, and what it is on the GPU.

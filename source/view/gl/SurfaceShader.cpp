@@ -248,7 +248,7 @@ constexpr const char* no_probes = R"(
 vec3 SeenFrom(vec3 at, vec3 direction, float spread) { return Seen(direction, spread); }
 )";
 
-// As through a ball, where the way out is the mirror image of the way in: T turns by the same angle again.
+// Bends twice, as a ball does, where the way out is the mirror image of the way in: T turns by the same angle again.
 constexpr const char* bending = R"(
 uniform int bends;  // else what is behind is seen straight on, by blending
 vec3 Bent(vec3 V, vec3 N, bool entering) {

@@ -13,7 +13,7 @@ inline const void* Offset(std::size_t bytes) { return reinterpret_cast<const voi
 
 GLsizeiptr Bytes(const auto& list) { return static_cast<GLsizeiptr>(list.size() * sizeof(list[0])); }
 
-/// Of the vertices in the buffer bound, for the array bound. Whole numbers become 0..1, or -1..1.
+/// Describes an attribute of the vertices in the bound buffer to the bound array. Whole numbers become 0..1, or -1..1.
 inline void Describe(GLuint location, GLint count, GLenum type, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(location);
   glVertexAttribPointer(location, count, type, type != GL_FLOAT, static_cast<GLsizei>(stride), Offset(offset));

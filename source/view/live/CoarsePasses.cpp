@@ -11,8 +11,8 @@
 namespace ray {
 namespace {
 
-// Of an item, in pixels of its pass. Wide enough for full batches; the first pass has so few that their rows are shared
-// out finely.
+// The size of a work item, in pixels of its pass. Wide enough for full batches; the first pass has so few pixels that
+// its items are low, to give all threads some.
 constexpr int item_width = 8, item_height = 8, first_item_height = 2;
 
 int Quotient(int pixels, int side) { return (pixels + side - 1) / side; }  // rounded up

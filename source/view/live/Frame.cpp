@@ -8,7 +8,7 @@
 namespace ray {
 namespace {
 
-/// As the film stores it: what is no number is 0, what is beyond the largest float is that.
+/// Converts as the film does: NaN becomes 0, and what is beyond the largest float becomes that.
 float Storable(double x) {
   constexpr double largest = std::numeric_limits<float>::max();
   return static_cast<float>(std::isnan(x) ? 0 : std::clamp(x, -largest, largest));

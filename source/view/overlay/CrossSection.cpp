@@ -103,15 +103,15 @@ class Joining {
  public:
   Joining(SceneCut& cut, const Grid& grid) : cut_(cut), grid_(grid) {}
 
-  /// Of a crossing on a row: cells above and below. With the inside to the left, a curve goes up where the row leaves
-  /// the inside to its left, that is, where it leaves the shape.
+  /// Visits the cells above and below a crossing on a row. With the inside to the left, a curve goes up where the row
+  /// leaves the inside to its left, that is, where it leaves the shape.
   void VisitRow(std::uint32_t crossing, int row) {
     const Crossing& c = cut_.crossings[crossing];
     const int column = grid_.ColumnBelow(c.on_slice.x);
     visits_.push_back({CellAt(column, row), c.instance, crossing, Side::lower, !c.enters});
     visits_.push_back({CellAt(column, row - 1), c.instance, crossing, Side::upper, c.enters});
   }
-  /// Of one on a column: cells to the right and to the left.
+  /// Visits the cells to the right and to the left of a crossing on a column.
   void VisitColumn(std::uint32_t crossing, int column) {
     const Crossing& c = cut_.crossings[crossing];
     const int row = grid_.RowBelow(c.on_slice.y);
@@ -135,8 +135,8 @@ class Joining {
            static_cast<std::uint64_t>(column + 1);
   }
 
-  /// Of two, each other. Of more, pairs of a way in and a way out, straightest first; what is then left over, as at the
-  /// rim of an open surface, stays alone.
+  /// Joins the crossings around a cell: two with each other, more in pairs of a way in and a way out, straightest
+  /// first. What is then left over, as at the rim of an open surface, stays alone.
   void Join(std::span<const Visit> visits) {
     if (visits.size() == 2) return Add(visits[0].crossing, visits[1].crossing);
     constexpr std::size_t most = 64;  // more in one cell is no curve any more

@@ -20,8 +20,8 @@ struct RayLook {
   std::array<bool, shown_ray_kinds> shows{true, true, true, true};
   bool normals = false;  // where rays end
   int deepest = -1;      // bounces; -1: all
-  /// Of one pixel's rays, by its number: it is shown whatever its kind, and the others are fainter but for those that
-  /// led to it.
+  /// The number of a ray among those of one pixel. It is shown whatever its kind, and the others are fainter except
+  /// those that led to it.
   std::optional<std::size_t> chosen{};
 
   /// For the rays of other pixels.
@@ -55,14 +55,14 @@ struct DebugRayCounts {
 std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                                   int spacing = debug_ray_spacing);
 
-/// As lines, a color for each kind. A blocked shadow ray is dark beyond what blocks it; a ray that hits
-/// nothing goes on for two radii of the scene. The more rays, the fainter each.
+/// Rays as lines, in a color for each kind. A blocked shadow ray is dark beyond what blocks it; a ray that hits nothing
+/// is two radii of the scene long. The more rays, the fainter each.
 Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space, const RayLook& look);
 
 /// The chosen ray of a pixel alone, in its color, with a cross where it ends; none where none is chosen.
 Lines ChosenRay(const PixelTrace& trace, const DrawingSpace& space, const RayLook& look);
 
-/// The same rays as an .obj file of lines, grouped by kind, in the world.
+/// Rays as an .obj file of lines, grouped by kind, in the world.
 std::string RaysAsObj(const std::vector<PixelTrace>& traces, double scene_radius);
 
 }  // namespace ray

@@ -44,7 +44,7 @@ class RayInspector {
   const std::optional<PixelTrace>& Pixel() const { return pixel_; }
   /// Another for each pixel traced, from 1.
   int TraceNumber() const { return trace_number_; }
-  /// Those of the pixel's picture.
+  /// The settings of the image that the pixel is in.
   const RenderSettings& PixelSettings() const { return pixel_settings_; }
   /// All rays that are shown.
   std::vector<PixelTrace> Shown() const;

@@ -51,7 +51,7 @@ void ForEachNode(const World& world, const Visit& visit) {
   }
 }
 
-/// As bright as can be without losing its hue; white for black.
+/// The color made as bright as can be without losing its hue; white for black.
 Rgba Bright(const R2::Color& color) {
   const double most = std::max({color.r, color.g, color.b});
   return most > 0 && std::isfinite(most) ? Shown(color / most) : Rgba{255, 255, 255, 255};

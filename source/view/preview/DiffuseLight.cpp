@@ -17,7 +17,7 @@ std::array<double, 9> Terms(const R3::Vector& N) {
   return {1, N.y, N.z, N.x, N.x * N.y, N.y * N.z, 3 * N.z * N.z - 1, N.x * N.z, N.x * N.x - N.y * N.y};
 }
 
-/// Of a spherical harmonic with its polynomial, the constant squared, times what the cosine leaves of its band: 1, 2/3,
+/// For each spherical harmonic, the square of its constant factor times what the cosine leaves of its band: 1, 2/3,
 /// 1/4.
 constexpr std::array<double, 9> weights{1 / (4 * pi),           2.0 / 3 * 3 / (4 * pi), 2.0 / 3 * 3 / (4 * pi),
                                         2.0 / 3 * 3 / (4 * pi), 0.25 * 15 / (4 * pi),   0.25 * 15 / (4 * pi),

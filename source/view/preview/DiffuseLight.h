@@ -21,7 +21,7 @@ struct DiffuseLight {
   R2::Color At(const R3::Vector& N) const;
 };
 
-/// The same light from everywhere.
+/// Uniform light from all directions.
 DiffuseLight DiffuseLightOf(const R2::Color& radiance);
 DiffuseLight DiffuseLightOf(const Environment& environment);
 

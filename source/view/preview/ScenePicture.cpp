@@ -74,7 +74,7 @@ Plan PlanFor(const World& world, const PictureBudget& budget) {
   return plan;
 }
 
-/// Of things that come one by one, an even share.
+/// Selects an even share of things that come one by one.
 class Share {
  public:
   explicit Share(double share) : share_(share) {}
@@ -211,8 +211,8 @@ class Builder {
     return space_.center - height * n + (height < 0 ? -off_surface : off_surface) * space_.radius * n;
   }
 
-  /// The largest mirrors have a probe each, others share that of the nearest.
-  void PlaceProbes() {
+  /// All mirrors, the largest first.
+  std::vector<Mirror> FindMirrors() const {
     std::vector<Mirror> mirrors;
     for (const Instance& instance : world_.Instances()) {
       if (!IsDrawn(instance) || !Mirrors(*instance.material)) continue;
@@ -224,10 +224,15 @@ class Builder {
       }
     }
     std::ranges::stable_sort(mirrors, [](const Mirror& a, const Mirror& b) { return a.size > b.size; });
+    return mirrors;
+  }
+
+  /// The largest mirrors have a probe each, others share that of the nearest.
+  void PlaceProbes() {
     std::vector<R3::Point> places;
     const auto most = static_cast<std::size_t>(std::min<std::int64_t>(TimesInProbes(1), most_mirror_probes));
     if (most == 0) return;
-    for (const Mirror& mirror : mirrors) {
+    for (const Mirror& mirror : FindMirrors()) {
       const double close = 1e-3 * space_.radius;  // as the two triangles of a square
       const auto same = std::ranges::find_if(
           places, [&](const R3::Point& place) { return Length(place - mirror.middle) < close; });

@@ -25,7 +25,7 @@ ClipMatrix Along(const R3::Vector& towards) {
   return FromRows({Row(across.first / reach, 0), Row(across.second / reach, 0), Row(towards / reach, 0), Row({}, 1)});
 }
 
-/// As Perspective has it.
+/// The clip matrix of a light's view, as Perspective defines it.
 ClipMatrix From(const PreviewLight& light, const R3::Vector& towards, const R3::Vector& right, const R3::Vector& up) {
   const R3::Vector eye = AsVector(light.place);
   const double distance = Length(eye), farthest = distance + reach;

@@ -15,8 +15,8 @@ inline constexpr int places_of_light = 7;
 /// How lights see the scene, for shadow maps.
 struct ShadowViews {
   std::vector<ClipMatrix> clip_from_drawing;  // at most most_shadow_views
-  /// Of each light: 0 where it casts no shadows, k + 1 where view k sees all that it lights, -k - 1 where six do from k
-  /// on, towards +x, -x, +y, -y, +z, -z.
+  /// For each light: 0 if it casts no shadows, k + 1 if view k sees all that it lights, -k - 1 if the six views from k
+  /// on do, towards +x, -x, +y, -y, +z, -z.
   std::vector<int> first;
   /// For each light, the number of places on it from which a view sees all that it lights; 1 where six views do.
   std::vector<int> places;
