@@ -21,10 +21,12 @@ struct Ring {
   }
 
   /// Places between which Outside rises or falls all the way, in order, the first and the last farther outside than
-  /// `around`. Near its turns Outside is flat: their error, of a long double's rounding, makes no difference in it.
+  /// `around`. Near its turns Outside is flat: their error, of a long double's rounding, makes no difference in it. None
+  /// for a line without direction.
   std::vector<Quad> Breaks(const Line& line, Quad around) const {
     const Vector &p = line.o, &v = line.d;
     const Quad A = Dot(v, v), a = v.x * v.x + v.z * v.z, aside = p.x * v.z - p.z * v.x;
+    if (!(A > 0)) return {};
     const Quad nearest = -Dot(p, v) / A;  // all below counts from there
     const Vector m = line.At(nearest);
     const Quad b = m.x * v.x + m.z * v.z, c = m.x * m.x + m.z * m.z;

@@ -23,6 +23,13 @@ TEST(ExactScenes, RaysHitWhatTheyShouldInRandomScenesOfEveryShape) {
     }
 }
 
+// Among random rays some have none. The judge once read the last of no breaks.
+TEST(ExactScenes, ALineWithoutDirectionCrossesNoRing) {
+  const oracle::Ring ring{1, 0.4};
+  EXPECT_TRUE(ring.Breaks({{1, 2, 3}, {0, 0, 0}}, 0).empty());
+  EXPECT_FALSE(ring.Breaks({{1, 2, 3}, {0, 0, 1}}, 0).empty());
+}
+
 // What the judge does not see, it could not tell of.
 TEST(ExactScenes, AnswersWithAPlantedFaultAreFound) {
   int answers = 0, found_missing = 0, found_off = 0, found_late = 0;
