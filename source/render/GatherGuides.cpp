@@ -234,7 +234,7 @@ class Gathering {
     std::array<CameraSample, GuideTracer::most_at_once> samples;
     std::array<Guide, GuideTracer::most_at_once> guides;
     Tally tally;
-    for (std::uint32_t first = 0; first < count; first += samples.size()) {
+    for (std::uint32_t first = 0; first < count; first += GuideTracer::most_at_once) {
       const auto size = std::min<std::size_t>(samples.size(), count - first);
       for (std::uint32_t i = 0; i < size; ++i) due[i] = {column, row, key, first + i};
       camera.MakeEach(std::span(due).first(size), samples);
