@@ -86,7 +86,7 @@ FUZZ_CXX ?= clang++
 # What this machine lacks leaves these out.
 ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
           $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)) \
-          $(if $(CONTEXTS),,source/view/gl/% source/view/contexts/% source/view/panels/% source/view/Viewer% \
+          $(if $(CONTEXTS),,source/view/gl/% source/view/contexts/% source/view/panels/% source/view/Viewer% source/view/KeyBindings.cpp \
                             source/app/rayview/ViewSession.cpp source/app/rayview/PanelOptions.cpp \
                             source/app/rayview/LoadingWindow.cpp tests/source/app/rayview/% tests/source/view/% \
                             bench/view.cpp)

@@ -18,8 +18,8 @@
 #include "source/app/rayview/ViewOutputs.h"
 #include "source/app/rayview/ViewSession.h"
 #include "source/app/report/Messages.h"
+#include "source/view/KeyBindings.h"
 #include "source/view/LoadedScene.h"
-#include "source/view/Viewer.h"
 #include "source/view/contexts/Context.h"
 
 namespace ray {
@@ -70,7 +70,7 @@ int ViewScene(const Options& asked) {
 int Run(const std::vector<std::string>& words) {
   const Options options = ReadCommandLine(Program::rayview, words);
   if (options.task == Task::view) return ViewScene(options);
-  DoTask(options, Viewer::Help());
+  DoTask(options, LinesOfHelp());
   return status::done;
 }
 

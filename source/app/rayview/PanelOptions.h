@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "source/app/options/Options.h"
-#include "source/view/Viewer.h"
+#include "source/view/ViewerHost.h"
 
 /// rayview's options, to be changed while it runs.
 namespace ray {

@@ -178,7 +178,8 @@ class Session : public ViewerHost {
         return std::string();
       });
     recent_.Save();
-    if (!habits_file_.empty() && viewer_.PanelLook() != first_look_) SavePanelHabits(habits_file_, viewer_.PanelLook());
+    if (!habits_file_.empty() && viewer_.state().panels->Look() != first_look_)
+      SavePanelHabits(habits_file_, viewer_.state().panels->Look());
     return StopSignal() != 0 ? status::killed_by + StopSignal() : status_;
   }
 
@@ -361,7 +362,7 @@ class Session : public ViewerHost {
         Click(*panel);
       } else {
         viewer_.Update();
-        Print(viewer_.State());
+        Print(viewer_.InWords());
       }
     }
   }

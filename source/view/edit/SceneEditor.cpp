@@ -10,7 +10,9 @@
 #include "source/parse/Files.h"
 #include "source/text/Number.h"
 #include "source/text/NumberText.h"
-#include "source/view/Viewer.h"
+#include "source/view/ViewerState.h"
+#include "source/view/commands/Scenes.h"
+#include "source/view/commands/Showing.h"
 #include "source/view/edit/SceneFiles.h"
 #include "source/view/overlay/SceneLines.h"
 
@@ -20,7 +22,7 @@ namespace {
 constexpr double slow = 0.15;  // seconds of reading a scene: what is dragged is then moved once it is let go
 constexpr Rgba axis_color{255, 200, 60, 255};
 
-const ScnPlaces& PlacesOf(const Viewer& viewer) { return viewer.scene().places; }
+const ScnPlaces& PlacesOf(const ViewerState& viewer) { return viewer.scene.Loaded().places; }
 
 std::string Count(std::size_t count, const char* one, const char* more) {
   return std::to_string(count) + " " + (count == 1 ? one : more);
@@ -102,9 +104,9 @@ const char* NameOf(MoveAxis axis) {
 }
 
 /// The distance of a point along the viewing direction.
-std::string FocusText(const Viewer& viewer, const R3::Point& point) {
+std::string FocusText(const ViewerState& viewer, const R3::Point& point) {
   constexpr int digits = 5;
-  const Camera& camera = viewer.navigator().camera();
+  const Camera& camera = viewer.navigator.camera();
   return Rounded(Dot(point - camera.eye, camera.towards), digits);
 }
 
@@ -116,7 +118,7 @@ std::string InWords(const std::vector<double>& values) {
 
 }  // namespace
 
-std::string SceneEditor::WhyNot(const Viewer& viewer) {
+std::string SceneEditor::WhyNot(const ViewerState& viewer) {
   if (!PlacesOf(viewer).files.empty()) return {};
   return "only .scn scenes can be edited; raypro SCENE -convert out.scn writes one";
 }
@@ -137,11 +139,11 @@ void SceneEditor::Forget() {
   is_unsaved_ = was_asked_ = false;
 }
 
-bool SceneEditor::MayLose(Viewer& viewer, const std::string& next) {
+bool SceneEditor::MayLose(ViewerState& viewer, const std::string& next) {
   const bool is_copied = copied_ && texts_ && *copied_ == *texts_;
   if (!is_unsaved_ || is_copied || was_asked_) return true;
   was_asked_ = true;
-  viewer.Tell("the scene has unsaved changes; Control+S saves them, again to " + next + " without");
+  viewer.notices.Tell("the scene has unsaved changes; Control+S saves them, again to " + next + " without");
   return false;
 }
 
@@ -150,31 +152,31 @@ void SceneEditor::CheckUnsaved() {
   was_asked_ = false;
 }
 
-std::optional<std::size_t> SceneEditor::ChosenLight(const Viewer& viewer) const {
-  if (viewer.ChosenNode() || !light_ || *light_ >= viewer.scene().parsed.scene.lights.size()) return {};
+std::optional<std::size_t> SceneEditor::ChosenLight(const ViewerState& viewer) const {
+  if (viewer.selection.node || !light_ || *light_ >= viewer.scene.Loaded().parsed.scene.lights.size()) return {};
   return light_;
 }
 
-void SceneEditor::ChooseLight(Viewer& viewer, std::size_t light) {
-  viewer.ChooseNode({});
+void SceneEditor::ChooseLight(ViewerState& viewer, std::size_t light) {
+  ChooseNode(viewer, {});
   light_ = light;
 }
 
-std::optional<std::uint32_t> SceneEditor::ChosenStatement(const Viewer& viewer) const {
+std::optional<std::uint32_t> SceneEditor::ChosenStatement(const ViewerState& viewer) const {
   const ScnPlaces& places = PlacesOf(viewer);
-  if (const auto node = viewer.ChosenNode())
-    return StatementAt(places, viewer.scene().world.Nodes()[*node].node->location);
+  if (const auto node = viewer.selection.node)
+    return StatementAt(places, viewer.scene.Loaded().world.Nodes()[*node].node->location);
   const auto light = ChosenLight(viewer);
   if (!light || *light >= places.lights.size()) return {};
   return places.lights[*light];
 }
 
-std::optional<std::size_t> SceneEditor::ChosenMaterial(const Viewer& viewer) const {
-  const std::vector<Material>& materials = viewer.scene().parsed.scene.materials;
-  if (material_ && node_of_material_ == viewer.ChosenNode() && *material_ < materials.size()) return material_;
-  if (!viewer.ChosenNode()) return {};
-  const World& world = viewer.scene().world;
-  const std::int32_t instance = world.Nodes()[*viewer.ChosenNode()].instance;
+std::optional<std::size_t> SceneEditor::ChosenMaterial(const ViewerState& viewer) const {
+  const std::vector<Material>& materials = viewer.scene.Loaded().parsed.scene.materials;
+  if (material_ && node_of_material_ == viewer.selection.node && *material_ < materials.size()) return material_;
+  if (!viewer.selection.node) return {};
+  const World& world = viewer.scene.Loaded().world;
+  const std::int32_t instance = world.Nodes()[*viewer.selection.node].instance;
   if (instance < 0) return {};
   const Material* const used = world.Instances()[static_cast<std::size_t>(instance)].material;
   const auto found = std::ranges::find_if(materials, [&](const Material& m) { return &m == used; });
@@ -182,23 +184,23 @@ std::optional<std::size_t> SceneEditor::ChosenMaterial(const Viewer& viewer) con
   return static_cast<std::size_t>(found - materials.begin());
 }
 
-void SceneEditor::ChooseMaterial(const Viewer& viewer, std::size_t material) {
+void SceneEditor::ChooseMaterial(const ViewerState& viewer, std::size_t material) {
   material_ = material;
-  node_of_material_ = viewer.ChosenNode();
+  node_of_material_ = viewer.selection.node;
 }
 
-std::string SceneEditor::Name(const Viewer& viewer, std::uint32_t statement) const {
+std::string SceneEditor::Name(const ViewerState& viewer, std::uint32_t statement) const {
   return NameOf(PlacesOf(viewer), statement);
 }
 
-std::optional<EditPlace> SceneEditor::PlaceOf(const Viewer& viewer, std::optional<std::uint32_t> statement) const {
+std::optional<EditPlace> SceneEditor::PlaceOf(const ViewerState& viewer, std::optional<std::uint32_t> statement) const {
   if (!statement) return {};
   const ScnPlaces& places = PlacesOf(viewer);
   const ScnPlaces::Statement& at = places.statements[*statement];
   return EditPlace{places.files[at.file].canonical, at.begin};
 }
 
-void SceneEditor::Choose(Viewer& viewer, const EditPlace& place) {
+void SceneEditor::Choose(ViewerState& viewer, const EditPlace& place) {
   const ScnPlaces& places = PlacesOf(viewer);
   const auto file = std::ranges::find(places.files, place.file, &ScnPlaces::File::canonical);
   if (file == places.files.end()) return;
@@ -207,10 +209,10 @@ void SceneEditor::Choose(Viewer& viewer, const EditPlace& place) {
   if (!statement) return;
   if (const auto light = std::ranges::find(places.lights, *statement); light != places.lights.end())
     return ChooseLight(viewer, static_cast<std::size_t>(light - places.lights.begin()));
-  viewer.ChooseNode(NodeAt(viewer.scene().world, LocationAt(places, index, place.begin)));
+  ChooseNode(viewer, NodeAt(viewer.scene.Loaded().world, LocationAt(places, index, place.begin)));
 }
 
-void SceneEditor::RefuseReadOnly(const Viewer& viewer, const TextEdits& edits) const {
+void SceneEditor::RefuseReadOnly(const ViewerState& viewer, const TextEdits& edits) const {
   const ScnPlaces& places = PlacesOf(viewer);
   for (const TextEdit& edit : edits) {
     const bool is_top = edit.file == places.files.front().canonical;  // of which a copy can be saved
@@ -219,10 +221,10 @@ void SceneEditor::RefuseReadOnly(const Viewer& viewer, const TextEdits& edits) c
   }
 }
 
-bool SceneEditor::Do(Viewer& viewer, const std::string& what, const std::string& key, bool continues,
+bool SceneEditor::Do(ViewerState& viewer, const std::string& what, const std::string& key, bool continues,
                      const std::function<TextEdits()>& make, const std::optional<EditPlace>& chosen_after) {
   if (const std::string why = WhyNot(viewer); !why.empty()) {
-    viewer.Tell(why);
+    viewer.notices.Tell(why);
     return false;
   }
   TextEdits edits;
@@ -230,7 +232,7 @@ bool SceneEditor::Do(Viewer& viewer, const std::string& what, const std::string&
     edits = make();
     RefuseReadOnly(viewer, edits);
   } catch (const EditRefusal& refusal) {
-    viewer.Tell("cannot " + what + ": " + refusal.what());
+    viewer.notices.Tell("cannot " + what + ": " + refusal.what());
     return false;
   }
   if (edits.empty()) return false;  // it is so already
@@ -240,33 +242,33 @@ bool SceneEditor::Do(Viewer& viewer, const std::string& what, const std::string&
   if (!Apply(viewer, edits, after)) return false;
   history_.Do({what, key, edits, before, after}, continues);
   CheckUnsaved();
-  viewer.Tell(what);
+  viewer.notices.Tell(what);
   return true;
 }
 
-bool SceneEditor::Apply(Viewer& viewer, const TextEdits& edits, const std::optional<EditPlace>& chosen) {
+bool SceneEditor::Apply(ViewerState& viewer, const TextEdits& edits, const std::optional<EditPlace>& chosen) {
   if (!texts_) {
     saved_.clear();
     for (const ScnPlaces::File& file : PlacesOf(viewer).files) saved_[file.canonical] = file.text->bytes;
   }
   const auto next = std::make_shared<const EditedFiles>(Edited(texts_ ? *texts_ : saved_, edits));
-  const bool had_material = material_ && node_of_material_ == viewer.ChosenNode();
+  const bool had_material = material_ && node_of_material_ == viewer.selection.node;
   const auto start = std::chrono::steady_clock::now();
-  const std::string problem = viewer.ShowEdits(next);
+  const std::string problem = ShowEdits(viewer, next);
   seconds_of_reading_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!problem.empty()) {
-    viewer.Tell("refused: " + problem);
+    viewer.notices.Tell("refused: " + problem);
     return false;
   }
   texts_ = next;
   held_ = nullptr;  // it was of the text before
   light_.reset();
   if (chosen) Choose(viewer, *chosen);
-  if (had_material) node_of_material_ = viewer.ChosenNode();
+  if (had_material) node_of_material_ = viewer.selection.node;
   return true;
 }
 
-void SceneEditor::SetField(Viewer& viewer, std::uint32_t statement, const ScnField& field,
+void SceneEditor::SetField(ViewerState& viewer, std::uint32_t statement, const ScnField& field,
                            const std::vector<double>& values, bool continues) {
   const auto place = PlaceOf(viewer, statement);
   const std::string key = place ? field.name + "@" + std::to_string(place->begin) + place->file : "";
@@ -275,44 +277,44 @@ void SceneEditor::SetField(Viewer& viewer, std::uint32_t statement, const ScnFie
            [=, &viewer] { return WithValues(PlacesOf(viewer), statement, field, values); });
 }
 
-void SceneEditor::DoOrHold(Viewer& viewer, const std::string& what, const std::string& key, bool continues,
+void SceneEditor::DoOrHold(ViewerState& viewer, const std::string& what, const std::string& key, bool continues,
                            const std::function<TextEdits()>& make) {
   const auto change = [=, this, &viewer] { Do(viewer, what, key, continues, make); };
   if (!continues || seconds_of_reading_ <= slow) return change();
   held_ = change;
-  viewer.Tell(what + ", once the button is let go");
+  viewer.notices.Tell(what + ", once the button is let go");
 }
 
 void SceneEditor::DoHeld() {
   if (const auto held = std::exchange(held_, nullptr)) held();
 }
 
-void SceneEditor::SetSetting(Viewer& viewer, const std::string& option, const std::string& value, bool continues) {
+void SceneEditor::SetSetting(ViewerState& viewer, const std::string& option, const std::string& value, bool continues) {
   std::vector<std::pair<std::string, std::string>> settings{{option, value}};
   // An open lens needs a distance to focus on.
   const bool needs_focus = option == "aperture" && value != "0" && !(viewer.SettingsOfView().camera.focus > 0);
-  if (needs_focus) settings.emplace_back("focus", FocusText(viewer, viewer.navigator().Center()));
+  if (needs_focus) settings.emplace_back("focus", FocusText(viewer, viewer.navigator.Center()));
   DoOrHold(viewer, "set " + option + " " + value, option, continues,
            [=, &viewer] { return WithSettings(PlacesOf(viewer), settings); });
 }
 
-void SceneEditor::SetAxis(Viewer& viewer, MoveAxis axis) {
+void SceneEditor::SetAxis(ViewerState& viewer, MoveAxis axis) {
   axis_ = axis;
-  viewer.Tell(std::string("= and - move along ") + NameOf(axis_) + ", by " + ToText(StepOf(viewer)) +
-             "; so does a drag with Control and Shift");
+  viewer.notices.Tell(std::string("= and - move along ") + NameOf(axis_) + ", by " + ToText(StepOf(viewer)) +
+                      "; so does a drag with Control and Shift");
 }
 
-void SceneEditor::NextAxis(Viewer& viewer) {
+void SceneEditor::NextAxis(ViewerState& viewer) {
   constexpr int axes = 4;
   SetAxis(viewer, static_cast<MoveAxis>((static_cast<int>(axis_) + 1) % axes));
 }
 
-double SceneEditor::StepOf(const Viewer& viewer) {
+double SceneEditor::StepOf(const ViewerState& viewer) {
   constexpr double share_of_radius = 0.05;
-  return RoundBelow(share_of_radius * viewer.navigator().box().Radius());
+  return RoundBelow(share_of_radius * viewer.navigator.box().Radius());
 }
 
-R3::Vector SceneEditor::AxisVector(const Viewer& viewer) const {
+R3::Vector SceneEditor::AxisVector(const ViewerState& viewer) const {
   switch (axis_) {
     case MoveAxis::x:
       return {1, 0, 0};
@@ -321,23 +323,23 @@ R3::Vector SceneEditor::AxisVector(const Viewer& viewer) const {
     case MoveAxis::z:
       return {0, 0, 1};
     case MoveAxis::view:
-      return viewer.navigator().camera().right;
+      return viewer.navigator.camera().right;
   }
   return {};
 }
 
-std::optional<SceneEditor::Target> SceneEditor::TargetOf(const Viewer& viewer) const {
+std::optional<SceneEditor::Target> SceneEditor::TargetOf(const ViewerState& viewer) const {
   const ScnPlaces& places = PlacesOf(viewer);
   const auto statement = ChosenStatement(viewer);
   if (!statement) return {};
-  const World& world = viewer.scene().world;
+  const World& world = viewer.scene.Loaded().world;
   if (const auto light = ChosenLight(viewer)) {
-    const LightBound bound = viewer.scene().parsed.scene.lights[*light]->Bound();
+    const LightBound bound = viewer.scene.Loaded().parsed.scene.lights[*light]->Bound();
     Target target{*statement, 0, {}};
     if (!bound.is_infinite) target.box = {bound.center, bound.center};
     return target;
   }
-  std::size_t node = *viewer.ChosenNode();
+  std::size_t node = *viewer.selection.node;
   Target target{*statement, FrameAround(world, node), {}};
   target.box = world.InWorld(target.frame, world.Nodes()[node].node->bounds);
   // What says no place of its own is moved with the group that is around it alone.
@@ -350,65 +352,65 @@ std::optional<SceneEditor::Target> SceneEditor::TargetOf(const Viewer& viewer) c
   return target;
 }
 
-std::optional<SceneEditor::Target> SceneEditor::ChosenTarget(Viewer& viewer) const {
+std::optional<SceneEditor::Target> SceneEditor::ChosenTarget(ViewerState& viewer) const {
   if (const std::string why = WhyNot(viewer); !why.empty())
-    viewer.Tell(why);
-  else if (!viewer.ChosenNode() && !ChosenLight(viewer))
-    viewer.Tell("nothing is chosen; click an object first");
+    viewer.notices.Tell(why);
+  else if (!viewer.selection.node && !ChosenLight(viewer))
+    viewer.notices.Tell("nothing is chosen; click an object first");
   else if (const auto target = TargetOf(viewer))
     return target;
   else
-    viewer.Tell("what is chosen stands in no scene file");
+    viewer.notices.Tell("what is chosen stands in no scene file");
   return {};
 }
 
-void SceneEditor::Move(Viewer& viewer, const R3::Vector& way, const std::string& key, bool continues) {
+void SceneEditor::Move(ViewerState& viewer, const R3::Vector& way, const std::string& key, bool continues) {
   const auto target = ChosenTarget(viewer);
   if (!target) return;
-  const R3::Vector local = viewer.scene().world.Frames()[target->frame].Inverse() * way;
+  const R3::Vector local = viewer.scene.Loaded().world.Frames()[target->frame].Inverse() * way;
   Do(viewer, "move " + Name(viewer, target->statement), key, continues,
      [&] { return Moved(PlacesOf(viewer), target->statement, local); });
 }
 
-void SceneEditor::MoveBySteps(Viewer& viewer, double steps) {
+void SceneEditor::MoveBySteps(ViewerState& viewer, double steps) {
   Move(viewer, steps * StepOf(viewer) * AxisVector(viewer), "", false);
 }
 
-void SceneEditor::Delete(Viewer& viewer) {
+void SceneEditor::Delete(ViewerState& viewer) {
   const auto target = ChosenTarget(viewer);
   if (!target) return;
   Do(viewer, "delete " + Name(viewer, target->statement), "", false,
      [&] { return Removed(PlacesOf(viewer), target->statement); }, EditPlace{});
 }
 
-void SceneEditor::Duplicate(Viewer& viewer) {
+void SceneEditor::Duplicate(ViewerState& viewer) {
   const auto target = ChosenTarget(viewer);
   if (!target) return;
   const double width = target->box.IsEmpty() ? 0 : target->box.Size().x;
   const double step = StepOf(viewer), gap = std::isfinite(width) ? std::ceil(width / step + 1) * step : step;
-  const bool is_placed = !target->box.IsEmpty() || viewer.ChosenNode();
+  const bool is_placed = !target->box.IsEmpty() || viewer.selection.node;
   const R3::Vector way = is_placed ? R3::Vector{Decimal(gap), 0, 0} : R3::Vector{};
-  const R3::Vector local = viewer.scene().world.Frames()[target->frame].Inverse() * way;
+  const R3::Vector local = viewer.scene.Loaded().world.Frames()[target->frame].Inverse() * way;
   Copied copied;
   try {
     copied = Duplicated(PlacesOf(viewer), target->statement, local);
   } catch (const EditRefusal& refusal) {
-    return viewer.Tell(std::string("cannot duplicate it: ") + refusal.what());
+    return viewer.notices.Tell(std::string("cannot duplicate it: ") + refusal.what());
   }
   const auto place = PlaceOf(viewer, target->statement);
   Do(viewer, "duplicate " + Name(viewer, target->statement), "", false, [&] { return copied.edits; },
      EditPlace{place->file, copied.begin});
 }
 
-void SceneEditor::KeepCamera(Viewer& viewer) {
+void SceneEditor::KeepCamera(ViewerState& viewer) {
   if (!viewer.HasMovedCamera() && LastOf(PlacesOf(viewer), "camera"))
-    return viewer.Tell("the view is the scene's camera already");
+    return viewer.notices.Tell("the view is the scene's camera already");
   Do(viewer, "the view becomes the scene's camera", "", false,
-     [&] { return WithCamera(PlacesOf(viewer), viewer.navigator().camera()); });
+     [&] { return WithCamera(PlacesOf(viewer), viewer.navigator.camera()); });
 }
 
-void SceneEditor::FocusOn(Viewer& viewer, const std::optional<R3::Point>& point) {
-  if (!point) return viewer.Tell("nothing is under the pointer to focus on");
+void SceneEditor::FocusOn(ViewerState& viewer, const std::optional<R3::Point>& point) {
+  if (!point) return viewer.notices.Tell("nothing is under the pointer to focus on");
   const std::string focus = FocusText(viewer, *point);
   const bool has_lens = viewer.SettingsOfView().camera.HasLens();
   constexpr double opening = 0.01;  // of the distance, where no lens was open
@@ -419,22 +421,22 @@ void SceneEditor::FocusOn(Viewer& viewer, const std::optional<R3::Point>& point)
      [&] { return WithSettings(PlacesOf(viewer), settings); });
 }
 
-bool SceneEditor::BeginDrag(Viewer& viewer, const R3::Ray& ray) {
+bool SceneEditor::BeginDrag(ViewerState& viewer, const R3::Ray& ray) {
   const auto target = ChosenTarget(viewer);
   if (!target) return false;
   if (target->box.IsEmpty()) {
-    viewer.Tell("it is infinite, empty or far away; = and - move it along the axis");
+    viewer.notices.Tell("it is infinite, empty or far away; = and - move it along the axis");
     return false;
   }
   drag_ = Drag{target->box.Center(), ray, {}, {}};
   return true;
 }
 
-void SceneEditor::DragTo(Viewer& viewer, const R3::Ray& ray) {
+void SceneEditor::DragTo(ViewerState& viewer, const R3::Ray& ray) {
   if (!drag_) return;
   R3::Vector way;
   if (axis_ == MoveAxis::view) {
-    const R3::Vector& normal = viewer.navigator().camera().towards;
+    const R3::Vector& normal = viewer.navigator.camera().towards;
     const auto from = OnPlane(drag_->from, normal, drag_->pressed), to = OnPlane(drag_->from, normal, ray);
     if (!from || !to) return;
     way = *to - *from;
@@ -453,15 +455,15 @@ void SceneEditor::DragTo(Viewer& viewer, const R3::Ray& ray) {
   Move(viewer, now.left, "drag", !(now.done == R3::Vector{}));
 }
 
-void SceneEditor::EndDrag(Viewer& viewer) {
+void SceneEditor::EndDrag(ViewerState& viewer) {
   if (!drag_) return;
   const Drag last = *std::exchange(drag_, {});
   if (!(last.left == R3::Vector{})) Move(viewer, last.left, "drag", !(last.done == R3::Vector{}));
 }
 
-void SceneEditor::Undo(Viewer& viewer) {
+void SceneEditor::Undo(ViewerState& viewer) {
   const Change* change = history_.ToUndo();
-  if (!change) return viewer.Tell("nothing to undo");
+  if (!change) return viewer.notices.Tell("nothing to undo");
   const auto now = PlaceOf(viewer, ChosenStatement(viewer));
   const TextEdits edits = Reversed(change->edits);
   auto chosen = change->chosen_before;
@@ -470,55 +472,56 @@ void SceneEditor::Undo(Viewer& viewer) {
   if (!Apply(viewer, edits, chosen)) return;
   history_.Undo();
   CheckUnsaved();
-  viewer.Tell("undone: " + what);
+  viewer.notices.Tell("undone: " + what);
 }
 
-void SceneEditor::Redo(Viewer& viewer) {
+void SceneEditor::Redo(ViewerState& viewer) {
   const Change* change = history_.ToRedo();
-  if (!change) return viewer.Tell("nothing to redo");
+  if (!change) return viewer.notices.Tell("nothing to redo");
   const std::string what = change->what;
   if (!Apply(viewer, change->edits, change->chosen_after)) return;
   history_.Redo();
   CheckUnsaved();
-  viewer.Tell("redone: " + what);
+  viewer.notices.Tell("redone: " + what);
 }
 
-void SceneEditor::Save(Viewer& viewer) {
-  if (const std::string why = WhyNot(viewer); !why.empty()) return viewer.Tell(why);
-  if (!is_unsaved_) return viewer.Tell("there is nothing to save");
+void SceneEditor::Save(ViewerState& viewer) {
+  if (const std::string why = WhyNot(viewer); !why.empty()) return viewer.notices.Tell(why);
+  if (!is_unsaved_) return viewer.notices.Tell("there is nothing to save");
   std::string saved;
   for (const ScnPlaces::File& file : PlacesOf(viewer).files) {
     const std::string& text = texts_->at(file.canonical);
     if (text == saved_[file.canonical]) continue;
     const std::string& name = file.text->name;
     if (file.canonical == standard_input_name)
-      return viewer.Tell("the scene came from standard input; Control+Shift+S saves a copy");
+      return viewer.notices.Tell("the scene came from standard input; Control+Shift+S saves a copy");
     if (ReadSceneFile(name) != saved_[file.canonical])
-      return viewer.Tell(name + " has changed on the disk since it was read; Control+Shift+S saves a copy");
-    if (const std::string problem = viewer.SaveScene(name, text); !problem.empty()) return viewer.Tell(problem);
+      return viewer.notices.Tell(name + " has changed on the disk since it was read; Control+Shift+S saves a copy");
+    if (const std::string problem = SaveScene(viewer, name, text); !problem.empty())
+      return viewer.notices.Tell(problem);
     saved_[file.canonical] = text;
     saved += (saved.empty() ? "" : ", ") + name;
   }
   CheckUnsaved();
-  viewer.Tell("saved " + saved);
+  viewer.notices.Tell("saved " + saved);
 }
 
-void SceneEditor::SaveCopy(Viewer& viewer) {
-  if (const std::string why = WhyNot(viewer); !why.empty()) return viewer.Tell(why);
+void SceneEditor::SaveCopy(ViewerState& viewer) {
+  if (const std::string why = WhyNot(viewer); !why.empty()) return viewer.notices.Tell(why);
   const auto& files = PlacesOf(viewer).files;
   const ScnPlaces::File& top = files.front();
   for (const ScnPlaces::File& file : files)
     if (texts_ && &file != &top && texts_->at(file.canonical) != saved_[file.canonical])
-      return viewer.Tell("a copy has no room for the changes of the included " + file.text->name +
-                         "; Control+S saves all");
+      return viewer.notices.Tell("a copy has no room for the changes of the included " + file.text->name +
+                                 "; Control+S saves all");
   const std::string name = FreeCopyName(top.canonical == standard_input_name ? "scene.scn" : top.text->name);
   const std::string& text = texts_ ? texts_->at(top.canonical) : top.text->bytes;
-  if (const std::string problem = viewer.SaveScene(name, text); !problem.empty()) return viewer.Tell(problem);
+  if (const std::string problem = SaveScene(viewer, name, text); !problem.empty()) return viewer.notices.Tell(problem);
   copied_ = texts_;
-  viewer.Tell("a copy is saved as " + name);
+  viewer.notices.Tell("a copy is saved as " + name);
 }
 
-Lines SceneEditor::Marks(const Viewer& viewer, const DrawingSpace& space,
+Lines SceneEditor::Marks(const ViewerState& viewer, const DrawingSpace& space,
                          const std::function<double(const R3::Point&)>& size_at) const {
   Lines lines;
   if (!WhyNot(viewer).empty()) return lines;
@@ -532,7 +535,7 @@ Lines SceneEditor::Marks(const Viewer& viewer, const DrawingSpace& space,
     Append(lines, ArrowAt(at, -size * way, space, axis_color));
   };
   arrows(AxisVector(viewer));
-  if (axis_ == MoveAxis::view) arrows(viewer.navigator().camera().up);
+  if (axis_ == MoveAxis::view) arrows(viewer.navigator.camera().up);
   return lines;
 }
 

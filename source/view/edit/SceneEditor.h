@@ -13,7 +13,7 @@
 
 namespace ray {
 
-class Viewer;
+struct ViewerState;
 
 /// Along what a thing is moved: an axis of the world, or the plane through it that faces the camera.
 enum class MoveAxis { x, y, z, view };
@@ -28,41 +28,41 @@ class SceneEditor {
   std::string Describe() const;
   const EditHistory& History() const { return history_; }
   /// Why the viewer's scene cannot be edited; empty where it can.
-  static std::string WhyNot(const Viewer& viewer);
+  static std::string WhyNot(const ViewerState& viewer);
   /// The scene was read from the disk: there is nothing to undo any more.
   void Forget();
   /// Whether the viewer may go on to lose the edits: where there are any that are not saved, it says so at first, and
   /// may when it asks again. `next` is what it would do: "quit".
-  bool MayLose(Viewer& viewer, const std::string& next);
+  bool MayLose(ViewerState& viewer, const std::string& next);
 
   // What is chosen. A light is where no node is.
   /// The statement of the chosen node, or light; nothing for none, and where the program itself has made it.
-  std::optional<std::uint32_t> ChosenStatement(const Viewer& viewer) const;
-  std::optional<std::size_t> ChosenLight(const Viewer& viewer) const;
-  void ChooseLight(Viewer& viewer, std::size_t light);
+  std::optional<std::uint32_t> ChosenStatement(const ViewerState& viewer) const;
+  std::optional<std::size_t> ChosenLight(const ViewerState& viewer) const;
+  void ChooseLight(ViewerState& viewer, std::size_t light);
   /// Index into Scene::materials: that of the chosen node, unless another was chosen since.
-  std::optional<std::size_t> ChosenMaterial(const Viewer& viewer) const;
-  void ChooseMaterial(const Viewer& viewer, std::size_t material);
+  std::optional<std::size_t> ChosenMaterial(const ViewerState& viewer) const;
+  void ChooseMaterial(const ViewerState& viewer, std::size_t material);
 
   // Changes.
   /// `continues`: it goes on with what a slider or picker did, so that one undo takes all of it back.
-  void SetField(Viewer& viewer, std::uint32_t statement, const ScnField& field, const std::vector<double>& values,
+  void SetField(ViewerState& viewer, std::uint32_t statement, const ScnField& field, const std::vector<double>& values,
                 bool continues);
   /// A setting that the scene asks for, by the name of its option.
-  void SetSetting(Viewer& viewer, const std::string& option, const std::string& value, bool continues);
+  void SetSetting(ViewerState& viewer, const std::string& option, const std::string& value, bool continues);
   MoveAxis Axis() const { return axis_; }
-  void SetAxis(Viewer& viewer, MoveAxis axis);
-  void NextAxis(Viewer& viewer);
+  void SetAxis(ViewerState& viewer, MoveAxis axis);
+  void NextAxis(ViewerState& viewer);
   /// Moves what is chosen by so many steps along the axis; facing the camera, to the right.
-  void MoveBySteps(Viewer& viewer, double steps);
+  void MoveBySteps(ViewerState& viewer, double steps);
   /// In the scene's unit of length: a round number, about 1/20 of the scene's radius.
-  static double StepOf(const Viewer& viewer);
-  void Delete(Viewer& viewer);
-  void Duplicate(Viewer& viewer);
+  static double StepOf(const ViewerState& viewer);
+  void Delete(ViewerState& viewer);
+  void Duplicate(ViewerState& viewer);
   /// The camera of the view becomes that of the scene.
-  void KeepCamera(Viewer& viewer);
+  void KeepCamera(ViewerState& viewer);
   /// Focuses on a point; opens the lens where the scene has none.
-  void FocusOn(Viewer& viewer, const std::optional<R3::Point>& point);
+  void FocusOn(ViewerState& viewer, const std::optional<R3::Point>& point);
 
   /// A button was let go: what a slider or picker was dragged to is done now, where reading the scene takes too long to
   /// follow it.
@@ -70,19 +70,19 @@ class SceneEditor {
 
   // A drag of what is chosen. Rays are through the pointer.
   /// Whether there is something to drag.
-  bool BeginDrag(Viewer& viewer, const R3::Ray& ray);
-  void DragTo(Viewer& viewer, const R3::Ray& ray);
-  void EndDrag(Viewer& viewer);
+  bool BeginDrag(ViewerState& viewer, const R3::Ray& ray);
+  void DragTo(ViewerState& viewer, const R3::Ray& ray);
+  void EndDrag(ViewerState& viewer);
   bool IsDragging() const { return drag_.has_value(); }
 
-  void Undo(Viewer& viewer);
-  void Redo(Viewer& viewer);
-  void Save(Viewer& viewer);
+  void Undo(ViewerState& viewer);
+  void Redo(ViewerState& viewer);
+  void Save(ViewerState& viewer);
   /// Beside the scene, under the first free name: "room-2.scn".
-  void SaveCopy(Viewer& viewer);
+  void SaveCopy(ViewerState& viewer);
 
   /// The axis that things are moved along, at what is chosen. `size_at` says how long it is at a point.
-  Lines Marks(const Viewer& viewer, const DrawingSpace& space,
+  Lines Marks(const ViewerState& viewer, const DrawingSpace& space,
               const std::function<double(const R3::Point&)>& size_at) const;
 
  private:
@@ -100,24 +100,24 @@ class SceneEditor {
   };
 
   /// Nothing where a message says why not.
-  std::optional<Target> ChosenTarget(Viewer& viewer) const;
-  std::optional<Target> TargetOf(const Viewer& viewer) const;
-  std::optional<EditPlace> PlaceOf(const Viewer& viewer, std::optional<std::uint32_t> statement) const;
+  std::optional<Target> ChosenTarget(ViewerState& viewer) const;
+  std::optional<Target> TargetOf(const ViewerState& viewer) const;
+  std::optional<EditPlace> PlaceOf(const ViewerState& viewer, std::optional<std::uint32_t> statement) const;
   /// Chooses what is said there, if anything is.
-  void Choose(Viewer& viewer, const EditPlace& place);
+  void Choose(ViewerState& viewer, const EditPlace& place);
   /// Makes the edits of `make`, which throws EditRefusal, into a change; `key` of the statement's field, for changes
   /// that continue. Returns whether it was done.
-  bool Do(Viewer& viewer, const std::string& what, const std::string& key, bool continues,
+  bool Do(ViewerState& viewer, const std::string& what, const std::string& key, bool continues,
           const std::function<TextEdits()>& make, const std::optional<EditPlace>& chosen_after = {});
   /// The same, or once the button is let go: for what continues where reading the scene takes long.
-  void DoOrHold(Viewer& viewer, const std::string& what, const std::string& key, bool continues,
+  void DoOrHold(ViewerState& viewer, const std::string& what, const std::string& key, bool continues,
                 const std::function<TextEdits()>& make);
-  bool Apply(Viewer& viewer, const TextEdits& edits, const std::optional<EditPlace>& chosen);
-  void Move(Viewer& viewer, const R3::Vector& way, const std::string& key, bool continues);
-  R3::Vector AxisVector(const Viewer& viewer) const;
-  void RefuseReadOnly(const Viewer& viewer, const TextEdits& edits) const;
+  bool Apply(ViewerState& viewer, const TextEdits& edits, const std::optional<EditPlace>& chosen);
+  void Move(ViewerState& viewer, const R3::Vector& way, const std::string& key, bool continues);
+  R3::Vector AxisVector(const ViewerState& viewer) const;
+  void RefuseReadOnly(const ViewerState& viewer, const TextEdits& edits) const;
   void CheckUnsaved();
-  std::string Name(const Viewer& viewer, std::uint32_t statement) const;
+  std::string Name(const ViewerState& viewer, std::uint32_t statement) const;
 
   EditHistory history_;
   std::shared_ptr<const EditedFiles> texts_;   // of the scene's files, as edited; null before the first edit

@@ -54,7 +54,7 @@ std::optional<std::vector<double>> DrawText(PanelFrame& frame, const std::string
   auto numbers = NumbersIn(text.data(), values.size());
   if (!numbers) {
     const std::string rule = values.size() == 1 ? " must be a number" : " must be three numbers with blanks between";
-    frame.Ask([message = name + rule](Viewer& v) { v.Tell(message); });
+    frame.Ask([message = name + rule](ViewerState& v) { v.notices.Tell(message); });
   }
   return numbers;
 }
@@ -93,8 +93,8 @@ std::optional<FieldWidgets::Range> RangeOf(const ScnField& field) {
 
 void AskForValues(PanelFrame& frame, std::uint32_t statement, const ScnField& field, std::vector<double> values,
                   bool continues) {
-  frame.Ask([statement, field, values = std::move(values), continues](Viewer& v) {
-    v.Editor().SetField(v, statement, field, values, continues);
+  frame.Ask([statement, field, values = std::move(values), continues](ViewerState& v) {
+    v.editor.SetField(v, statement, field, values, continues);
   });
 }
 
@@ -118,7 +118,7 @@ void FieldWidgets::DrawNumber(PanelFrame& frame, const std::string& name, double
 }
 
 void FieldWidgets::Draw(PanelFrame& frame, std::uint32_t statement) {
-  for (const ScnField& field : FieldsOf(frame.viewer.scene().places, statement)) {
+  for (const ScnField& field : FieldsOf(frame.viewer.scene.Loaded().places, statement)) {
     ImGui::PushID(field.name.c_str());
     DrawField(frame, statement, field);
     ImGui::PopID();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "source/view/HelpText.h"
+#include "source/view/KeyBindings.h"
 #include "source/view/panels/Panel.h"
 
 namespace ray {
@@ -24,7 +25,7 @@ class HelpSheet {
   };
   std::vector<Group> Found() const;
 
-  const std::vector<HelpRow> rows_ = Viewer::HelpRows();
+  const std::vector<HelpRow> rows_ = RowsOfHelp();
   std::array<char, 64> search_{};  // longer than any word of the help
   bool takes_focus_ = false;
 };

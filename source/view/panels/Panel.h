@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "source/view/Viewer.h"
+#include "source/view/ViewerState.h"
 #include "source/view/panels/Panels.h"
 
 namespace ray {
@@ -14,15 +14,15 @@ namespace ray {
 /// scripts besides.
 class PanelFrame {
  public:
-  PanelFrame(const Viewer& shown, double pixels_per_unit, std::vector<PanelItem>& items)
+  PanelFrame(const ViewerState& shown, double pixels_per_unit, std::vector<PanelItem>& items)
       : viewer(shown), scale(pixels_per_unit), items_(items) {}
 
-  const Viewer& viewer;
+  const ViewerState& viewer;
   const double scale;
 
   /// To be done once the frame is complete: panels never change what they are drawing.
-  void Ask(std::function<void(Viewer&)> action) { actions_.push_back(std::move(action)); }
-  const std::vector<std::function<void(Viewer&)>>& Asked() const { return actions_; }
+  void Ask(std::function<void(ViewerState&)> action) { actions_.push_back(std::move(action)); }
+  const std::vector<std::function<void(ViewerState&)>>& Asked() const { return actions_; }
 
   /// Whether it was clicked.
   bool Button(const std::string& name);
@@ -41,7 +41,7 @@ class PanelFrame {
 
  private:
   std::vector<PanelItem>& items_;
-  std::vector<std::function<void(Viewer&)>> actions_;
+  std::vector<std::function<void(ViewerState&)>> actions_;
 };
 
 /// The text, or as much of its beginning as has room, in pixels; scripts are told all of it. Letters are of one width.
@@ -53,7 +53,7 @@ class Panel {
   virtual ~Panel() = default;
   virtual void Draw(PanelFrame& frame) = 0;
   /// Whether it has anything to show by now.
-  virtual bool IsOfUse(const Viewer&) const { return true; }
+  virtual bool IsOfUse(const ViewerState&) const { return true; }
 };
 
 /// One line of panels.def.

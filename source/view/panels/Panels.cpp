@@ -113,7 +113,7 @@ class ImGuiPanels : public Panels {
     io.SetClipboardTextFn = [](void* self, const char* text) {
       auto& panels = *static_cast<ImGuiPanels*>(self);
       panels.clipboard_ = text;
-      if (panels.viewer_) panels.viewer_->CopyText(text);
+      if (panels.viewer_) panels.viewer_->host.SetClipboard(text);
     };
     io.GetClipboardTextFn = [](void* self) { return static_cast<ImGuiPanels*>(self)->clipboard_.c_str(); };
     NameKeys(io);
@@ -122,7 +122,7 @@ class ImGuiPanels : public Panels {
   ~ImGuiPanels() override { ImGui::DestroyContext(context_); }
   ImGuiPanels(const ImGuiPanels&) = delete;
 
-  bool Take(const Event& event, Viewer& viewer) override {
+  bool Take(const Event& event, ViewerState& viewer) override {
     Use();
     // What came up since the last frame is to be there; a field that was to get the keyboard tells so in the third.
     if (std::exchange(has_new_parts_, false))
@@ -140,7 +140,7 @@ class ImGuiPanels : public Panels {
     has_new_parts_ = true;
   }
 
-  std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer, const std::vector<Label>& labels) override {
+  std::shared_ptr<const PanelDrawing> Draw(ViewerState& viewer, const std::vector<Label>& labels) override {
     Use();
     labels_ = labels;
     MakeFrame(viewer);
@@ -150,7 +150,7 @@ class ImGuiPanels : public Panels {
     return AsDrawing(*ImGui::GetDrawData(), sheet_);
   }
 
-  std::string Text(Viewer& viewer) override {
+  std::string Text(ViewerState& viewer) override {
     Use();
     MakeFrame(viewer);
     wants_text_ = true;
@@ -159,8 +159,8 @@ class ImGuiPanels : public Panels {
     return text_;
   }
 
-  double Width(const Viewer& viewer) const override {
-    const double all = viewer.Size().width, widest = std::floor(widest_share * all);
+  double Width(double all) const override {
+    const double widest = std::floor(widest_share * all);
     const double usual = std::min(Pixels(column_width), std::floor(column_share * all));
     return look_.width > 0 ? std::clamp(Pixels(look_.width), std::min(Pixels(narrowest), widest), widest) : usual;
   }
@@ -239,12 +239,12 @@ class ImGuiPanels : public Panels {
 #endif
 
   /// Whether text is being entered. Dear ImGui tells of the end of that a frame late.
-  bool TakesText(Viewer& viewer) {
+  bool TakesText(ViewerState& viewer) {
     if (ImGui::GetIO().WantTextInput) MakeFrame(viewer);
     return ImGui::GetIO().WantTextInput;
   }
 
-  bool On(const KeyEvent& event, Viewer& viewer) {
+  bool On(const KeyEvent& event, ViewerState& viewer) {
     const Key key = event.key;
     ignores_text_ = false;
     if (key == Key::tab || (key == Key::escape && parts_.help)) return false;
@@ -265,7 +265,7 @@ class ImGuiPanels : public Panels {
     return true;
   }
 
-  bool On(const TextEvent& event, Viewer& viewer) {
+  bool On(const TextEvent& event, ViewerState& viewer) {
     ImGuiIO& io = ImGui::GetIO();
     if (ignores_text_ || !TakesText(viewer)) return false;
     io.AddInputCharactersUTF8(event.text.c_str());
@@ -273,7 +273,7 @@ class ImGuiPanels : public Panels {
     return true;
   }
 
-  bool On(const ButtonEvent& event, Viewer& viewer) {
+  bool On(const ButtonEvent& event, ViewerState& viewer) {
     ImGuiIO& io = ImGui::GetIO();
     const auto button = static_cast<std::size_t>(event.button == Button::left    ? ImGuiMouseButton_Left
                                                  : event.button == Button::right ? ImGuiMouseButton_Right
@@ -299,13 +299,13 @@ class ImGuiPanels : public Panels {
     return true;
   }
 
-  bool On(const MoveEvent& event, Viewer& viewer) {
+  bool On(const MoveEvent& event, ViewerState& viewer) {
     if (holder_ == Holder::viewer) return false;
     Point(event.x, event.y, viewer);
     return holder_ == Holder::panels || ImGui::GetIO().WantCaptureMouse;
   }
 
-  bool On(const ScrollEvent& event, Viewer& viewer) {
+  bool On(const ScrollEvent& event, ViewerState& viewer) {
     if (holder_ == Holder::viewer) return false;
     Point(event.x, event.y, viewer);
     if (!ImGui::GetIO().WantCaptureMouse) return false;
@@ -314,26 +314,26 @@ class ImGuiPanels : public Panels {
     return true;
   }
 
-  bool On(const TickEvent& event, Viewer&) {
+  bool On(const TickEvent& event, ViewerState&) {
     passed_ += static_cast<float>(event.seconds);
     return false;
   }
   template <typename Other>
-  bool On(const Other&, Viewer&) {
+  bool On(const Other&, ViewerState&) {
     return false;
   }
 
-  void Point(double x, double y, Viewer& viewer) {
+  void Point(double x, double y, ViewerState& viewer) {
     ImGui::GetIO().MousePos = {static_cast<float>(std::floor(x)),
-                               static_cast<float>(std::floor(viewer.Size().height - y))};
+                               static_cast<float>(std::floor(viewer.size.height - y))};
     MakeFrame(viewer);
   }
 
-  void MakeFrame(Viewer& viewer) {
+  void MakeFrame(ViewerState& viewer) {
     viewer_ = &viewer;
     Dress();
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {static_cast<float>(viewer.Size().width), static_cast<float>(viewer.Size().height)};
+    io.DisplaySize = {static_cast<float>(viewer.size.width), static_cast<float>(viewer.size.height)};
     io.DeltaTime = std::max(shortest_time, std::exchange(passed_, 0.0F));
     items_.clear();
     ImGui::NewFrame();
@@ -354,7 +354,7 @@ class ImGuiPanels : public Panels {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const auto widest = static_cast<float>(std::floor(widest_share * static_cast<double>(all.x)));
     const float least = std::min(static_cast<float>(Pixels(narrowest)), widest);
-    const auto width = static_cast<float>(Width(frame.viewer));
+    const auto width = static_cast<float>(Width(frame.viewer.size.width));
     ImGui::SetNextWindowPos({all.x, 0}, ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowSize({width, all.y}, ImGuiCond_Always);
     ImGui::SetNextWindowSizeConstraints({least, all.y}, {widest, all.y});
@@ -374,7 +374,7 @@ class ImGuiPanels : public Panels {
 
   /// Above the view, as wide.
   void DrawBar(PanelFrame& frame) {
-    const float wide = ImGui::GetIO().DisplaySize.x - static_cast<float>(Width(frame.viewer));
+    const float wide = ImGui::GetIO().DisplaySize.x - static_cast<float>(Width(frame.viewer.size.width));
     const auto high = static_cast<float>(HeightOfBar());
     ImGui::SetNextWindowPos({0, 0}, ImGuiCond_Always);
     ImGui::SetNextWindowSize({wide, high}, ImGuiCond_Always);
@@ -394,7 +394,7 @@ class ImGuiPanels : public Panels {
   /// In the middle of the view.
   void DrawHelp(PanelFrame& frame) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const float left = parts_.column ? all.x - static_cast<float>(Width(frame.viewer)) : all.x;
+    const float left = parts_.column ? all.x - static_cast<float>(Width(frame.viewer.size.width)) : all.x;
     const auto line = static_cast<float>(LettersOfLabels(Scale()).height);
     const float wide = std::min(static_cast<float>(help_share) * left, static_cast<float>(Pixels(help_wide)));
     ImGui::SetNextWindowPos({std::floor((left - wide) / 2), line}, ImGuiCond_Always);
@@ -430,7 +430,7 @@ class ImGuiPanels : public Panels {
   float passed_ = 0;                // seconds since the last frame
   std::set<Key> keys_down_;         // of those that panels have got
   Holder holder_ = Holder::nobody;  // who got the press of the buttons that are down
-  Viewer* viewer_ = nullptr;        // of the last frame
+  ViewerState* viewer_ = nullptr;   // of the last frame
   std::vector<PanelItem> items_;
   std::string text_, clipboard_;
 };

@@ -9,7 +9,7 @@
 
 namespace ray {
 
-class Viewer;
+struct ViewerState;
 
 /// Something in a panel that takes clicks.
 struct PanelItem {
@@ -42,19 +42,19 @@ class Panels {
   virtual ~Panels() = default;
   /// Whether they keep the event from the viewer: of the pointer, where it is over them; of keys, where text is being
   /// entered. What is asked of the viewer is done before this returns.
-  virtual bool Take(const Event& event, Viewer& viewer) = 0;
+  virtual bool Take(const Event& event, ViewerState& viewer) = 0;
   /// What is shown from now on. Where that is less, keys and buttons are let go, and text is not entered any more.
   virtual void SetParts(const PanelParts& parts) = 0;
-  /// Of the column, in pixels, when it is next drawn.
-  virtual double Width(const Viewer& viewer) const = 0;
+  /// Of the column, in pixels, when it is next drawn in a drawing so wide.
+  virtual double Width(double all) const = 0;
   /// The height of the status bar, in pixels.
   virtual double HeightOfBar() const = 0;
   /// The size of letters of labels.
   virtual LetterSize Letters() = 0;
   /// As they are now, with these labels below them.
-  virtual std::shared_ptr<const PanelDrawing> Draw(Viewer& viewer, const std::vector<Label>& labels) = 0;
+  virtual std::shared_ptr<const PanelDrawing> Draw(ViewerState& viewer, const std::vector<Label>& labels) = 0;
   /// What they say, in lines, hidden by scrolling or not; for scripts.
-  virtual std::string Text(Viewer& viewer) = 0;
+  virtual std::string Text(ViewerState& viewer) = 0;
   /// What takes clicks, as last drawn.
   virtual const std::vector<PanelItem>& Items() const = 0;
   virtual void SetLook(const PanelSettings& look) = 0;

@@ -14,14 +14,14 @@ namespace {
 
 constexpr float bar_letters = 10;  // of the bar of what is done
 
-std::string NameAndSize(const Viewer& viewer) {
-  return std::filesystem::path(viewer.SceneFile()).filename().string() + (viewer.Editor().HasUnsaved() ? "* " : " ") +
-         std::to_string(viewer.Size().width) + "x" + std::to_string(viewer.Size().height);
+std::string NameAndSize(const ViewerState& viewer) {
+  return std::filesystem::path(viewer.settings.scene).filename().string() + (viewer.editor.HasUnsaved() ? "* " : " ") +
+         std::to_string(viewer.size.width) + "x" + std::to_string(viewer.size.height);
 }
 
 /// "120 45  0.31 0.2 0.9": of the image that is rendered; empty where the pointer is not on it.
-std::string PixelUnderPointer(const Viewer& viewer, const RenderJob& job) {
-  const R2::Point& pointer = viewer.Pointer();
+std::string PixelUnderPointer(const ViewerState& viewer, const RenderJob& job) {
+  const R2::Point& pointer = viewer.PictureUnderPointer();
   const auto x = static_cast<int>(std::floor(pointer.x)), y = static_cast<int>(std::floor(pointer.y));
   if (x < 0 || y < 0 || x >= job.frame().Width() || y >= job.frame().Height()) return {};
   return std::to_string(x) + " " + std::to_string(y) + "  " + Brief(job.frame().At(x, y));
@@ -30,11 +30,11 @@ std::string PixelUnderPointer(const Viewer& viewer, const RenderJob& job) {
 }  // namespace
 
 void DrawStatusBar(PanelFrame& frame) {
-  const Viewer& viewer = frame.viewer;
+  const ViewerState& viewer = frame.viewer;
   const float letter = ImGui::CalcTextSize("0").x, all = ImGui::GetContentRegionAvail().x,
               from = ImGui::GetCursorPosX();
   ImGui::TextUnformatted(NameAndSize(viewer).c_str());
-  const TracedPictures& pictures = viewer.Pictures();
+  const TracedPictures& pictures = viewer.pictures;
   const RenderJob* job = pictures.IsLive() ? pictures.Live() : pictures.Trace();
   if (!job) return;
   ImGui::SameLine();
@@ -44,7 +44,7 @@ void DrawStatusBar(PanelFrame& frame) {
   }
   const std::string pixel = PixelUnderPointer(viewer, *job);
   const float pixel_at = from + all - letter * static_cast<float>(CountLetters(pixel));
-  ImGui::TextUnformatted(Fitting(viewer.Status(), pixel_at - letter - ImGui::GetCursorPosX()).c_str());
+  ImGui::TextUnformatted(Fitting(viewer.status.Text(), pixel_at - letter - ImGui::GetCursorPosX()).c_str());
   if (pixel.empty()) return;
   ImGui::SameLine(std::max(from, pixel_at));
   ImGui::TextUnformatted(pixel.c_str());

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "source/view/Plain.h"
+#include "source/view/commands/Rendering.h"
+#include "source/view/commands/Scenes.h"
 #include "source/view/live/AcceleratorCost.h"
 #include "source/view/panels/Panel.h"
 
@@ -22,16 +24,16 @@ std::string Milliseconds(double seconds) {
 class AcceleratorsPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const Accelerator& accelerator = *frame.viewer.scene().accelerator;
+    const Accelerator& accelerator = *frame.viewer.scene.Loaded().accelerator;
     frame.Fact("built", accelerator.kind);
     for (const std::string& reason : accelerator.reasons) frame.Say(reason);
     for (const std::string& line : accelerator.Explain()) frame.Say(line);
-    const AcceleratorComparison* found = frame.viewer.ComparedAccelerators();
+    const AcceleratorComparison* found = frame.viewer.accelerators.Current();
     if (found && !found->HasEnded()) {
       frame.Say("building and trying " + found->Current());
-      if (frame.Button("stop")) frame.Ask([](Viewer& v) { v.StopComparingAccelerators(); });
+      if (frame.Button("stop")) frame.Ask([](ViewerState& v) { StopComparingAccelerators(v); });
     } else if (frame.Button("compare all")) {
-      frame.Ask([](Viewer& v) { v.CompareAccelerators(); });
+      frame.Ask([](ViewerState& v) { CompareAccelerators(v); });
     }
     if (found && !found->Costs().empty()) DrawCosts(frame, found->Costs(), accelerator.kind);
   }
@@ -46,7 +48,7 @@ class AcceleratorsPanel : public Panel {
     for (const AcceleratorCost& cost : costs) {
       ImGui::TableNextColumn();
       if (frame.Choice(cost.name, cost.name == in_force))
-        frame.Ask([name = cost.name](Viewer& v) { v.ChangeOption("accel", name); });
+        frame.Ask([name = cost.name](ViewerState& v) { ChangeOption(v, "accel", name); });
       for (const std::string& cell :
            {Milliseconds(cost.build_seconds), Milliseconds(cost.render_seconds), Digits(cost.boxes), Digits(cost.tests),
             Digits(static_cast<double>(cost.bytes) / kilo)}) {

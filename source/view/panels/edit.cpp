@@ -45,64 +45,64 @@ class EditPanel : public Panel {
   }
 
   static void DrawHistory(PanelFrame& frame) {
-    const SceneEditor& editor = frame.viewer.Editor();
-    if (frame.Button("undo")) frame.Ask([](Viewer& v) { v.Editor().Undo(v); });
+    const SceneEditor& editor = frame.viewer.editor;
+    if (frame.Button("undo")) frame.Ask([](ViewerState& v) { v.editor.Undo(v); });
     Beside("redo");
-    if (frame.Button("redo")) frame.Ask([](Viewer& v) { v.Editor().Redo(v); });
+    if (frame.Button("redo")) frame.Ask([](ViewerState& v) { v.editor.Redo(v); });
     Beside("save");
-    if (frame.Button("save")) frame.Ask([](Viewer& v) { v.Editor().Save(v); });
+    if (frame.Button("save")) frame.Ask([](ViewerState& v) { v.editor.Save(v); });
     Beside("save a copy");
-    if (frame.Button("save a copy")) frame.Ask([](Viewer& v) { v.Editor().SaveCopy(v); });
+    if (frame.Button("save a copy")) frame.Ask([](ViewerState& v) { v.editor.SaveCopy(v); });
     frame.Fact("changes", editor.Describe());
     if (const Change* last = editor.History().ToUndo()) frame.Fact("last", last->what);
   }
 
   void DrawObject(PanelFrame& frame) {
-    const Viewer& viewer = frame.viewer;
-    const auto statement = viewer.Editor().ChosenStatement(viewer);
-    if (viewer.Editor().ChosenLight(viewer)) return frame.Say("a light is chosen");
-    if (!viewer.ChosenNode()) return frame.Say("click an object to choose it");
+    const ViewerState& viewer = frame.viewer;
+    const auto statement = viewer.editor.ChosenStatement(viewer);
+    if (viewer.editor.ChosenLight(viewer)) return frame.Say("a light is chosen");
+    if (!viewer.selection.node) return frame.Say("click an object to choose it");
     if (!statement) return frame.Say("it stands in no scene file");
-    frame.Say(NameOf(viewer.scene().places, *statement));
+    frame.Say(NameOf(viewer.scene.Loaded().places, *statement));
     object_fields_.Draw(frame, *statement);
     DrawMoves(frame);
   }
 
   static void DrawMoves(PanelFrame& frame) {
-    if (frame.Button("duplicate")) frame.Ask([](Viewer& v) { v.Editor().Duplicate(v); });
+    if (frame.Button("duplicate")) frame.Ask([](ViewerState& v) { v.editor.Duplicate(v); });
     Beside("delete");
-    if (frame.Button("delete")) frame.Ask([](Viewer& v) { v.Editor().Delete(v); });
+    if (frame.Button("delete")) frame.Ask([](ViewerState& v) { v.editor.Delete(v); });
     Beside("- move");
-    if (frame.Button("- move")) frame.Ask([](Viewer& v) { v.Editor().MoveBySteps(v, -1); });
+    if (frame.Button("- move")) frame.Ask([](ViewerState& v) { v.editor.MoveBySteps(v, -1); });
     Beside("+ move");
-    if (frame.Button("+ move")) frame.Ask([](Viewer& v) { v.Editor().MoveBySteps(v, 1); });
+    if (frame.Button("+ move")) frame.Ask([](ViewerState& v) { v.editor.MoveBySteps(v, 1); });
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("along");
     constexpr std::pair<const char*, MoveAxis> axes[] = {
         {"x", MoveAxis::x}, {"y", MoveAxis::y}, {"z", MoveAxis::z}, {"plane of view", MoveAxis::view}};
     for (const auto& [name, axis] : axes) {
       Beside(name);
-      if (frame.Check(name, frame.viewer.Editor().Axis() == axis))
-        frame.Ask([axis = axis](Viewer& v) { v.Editor().SetAxis(v, axis); });
+      if (frame.Check(name, frame.viewer.editor.Axis() == axis))
+        frame.Ask([axis = axis](ViewerState& v) { v.editor.SetAxis(v, axis); });
     }
   }
 
   void DrawMaterials(PanelFrame& frame) {
-    const Viewer& viewer = frame.viewer;
-    const ScnPlaces& places = viewer.scene().places;
-    const auto chosen = viewer.Editor().ChosenMaterial(viewer);
+    const ViewerState& viewer = frame.viewer;
+    const ScnPlaces& places = viewer.scene.Loaded().places;
+    const auto chosen = viewer.editor.ChosenMaterial(viewer);
     std::size_t listed = 0;
     for (std::size_t i = 0; i < places.materials.size() && listed < most_listed; ++i) {
       if (places.materials[i] == ScnPlaces::nowhere) continue;
       ++listed;
       ImGui::PushID(static_cast<int>(i));
-      const R2::Color& kd = viewer.scene().parsed.scene.materials[i].kd;
+      const R2::Color& kd = viewer.scene.Loaded().parsed.scene.materials[i].kd;
       const std::string comment = CommentOf(places, places.materials[i]);
       const std::string name = NameOf(places, places.materials[i]) + (comment.empty() ? "" : ": " + comment);
       const bool by_swatch = DrawSwatch(frame, "swatch of " + name, {kd.r, kd.g, kd.b});
       ImGui::SameLine();
       if (frame.Choice(name, chosen == i) || by_swatch)
-        frame.Ask([i](Viewer& v) { v.Editor().ChooseMaterial(v, i); });
+        frame.Ask([i](ViewerState& v) { v.editor.ChooseMaterial(v, i); });
       ImGui::PopID();
     }
     if (listed == 0) return frame.Say("the scene file has no material");
@@ -115,14 +115,14 @@ class EditPanel : public Panel {
   }
 
   void DrawLights(PanelFrame& frame) {
-    const Viewer& viewer = frame.viewer;
-    const ScnPlaces& places = viewer.scene().places;
-    const auto chosen = viewer.Editor().ChosenLight(viewer);
+    const ViewerState& viewer = frame.viewer;
+    const ScnPlaces& places = viewer.scene.Loaded().places;
+    const auto chosen = viewer.editor.ChosenLight(viewer);
     if (places.lights.empty()) frame.Say("the scene file has no light; these are the default ones");
     for (std::size_t i = 0; i < std::min(places.lights.size(), most_listed); ++i) {
       ImGui::PushID(static_cast<int>(i));
       if (frame.Choice(NameOf(places, places.lights[i]), chosen == i))
-        frame.Ask([i](Viewer& v) { v.Editor().ChooseLight(v, i); });
+        frame.Ask([i](ViewerState& v) { v.editor.ChooseLight(v, i); });
       ImGui::PopID();
     }
     if (!chosen || *chosen >= places.lights.size()) return;
@@ -132,19 +132,18 @@ class EditPanel : public Panel {
   }
 
   void DrawCamera(PanelFrame& frame) {
-    const Viewer& viewer = frame.viewer;
-    if (const auto camera = LastOf(viewer.scene().places, "camera"))
+    const ViewerState& viewer = frame.viewer;
+    if (const auto camera = LastOf(viewer.scene.Loaded().places, "camera"))
       camera_fields_.Draw(frame, *camera);
     else
       frame.Say("the scene file has no camera");
-    if (frame.Button("view as scene camera")) frame.Ask([](Viewer& v) { v.Editor().KeepCamera(v); });
+    if (frame.Button("view as scene camera")) frame.Ask([](ViewerState& v) { v.editor.KeepCamera(v); });
     const CameraEffects lens = viewer.SettingsOfView().camera;
-    const double distance = Length(viewer.navigator().Center() - viewer.navigator().camera().eye);
+    const double distance = Length(viewer.navigator.Center() - viewer.navigator.camera().eye);
     const auto set = [&frame](const char* option) {
       return [&frame, option](double value, bool continues) {
-        frame.Ask([option, value, continues](Viewer& v) {
-          v.Editor().SetSetting(v, option, ToText(value), continues);
-        });
+        frame.Ask(
+            [option, value, continues](ViewerState& v) { v.editor.SetSetting(v, option, ToText(value), continues); });
       };
     };
     constexpr double widest = 0.1, nearest = 0.05, farthest = 5;  // of the distance to the middle
@@ -155,7 +154,7 @@ class EditPanel : public Panel {
 
   void DrawSky(PanelFrame& frame) {
     const auto draw = [&](const char* command, FieldWidgets& fields) {
-      const auto statement = LastOf(frame.viewer.scene().places, command);
+      const auto statement = LastOf(frame.viewer.scene.Loaded().places, command);
       if (!statement) return;
       ImGui::PushID(command);
       frame.Say(command);

@@ -28,17 +28,17 @@ void DrawPlace(const SceneError& error, std::size_t number) {
 
 class ErrorsPanel : public Panel {
  public:
-  bool IsOfUse(const Viewer& viewer) const override { return !viewer.SceneProblems().empty(); }
+  bool IsOfUse(const ViewerState& viewer) const override { return !viewer.scene.Mistakes().empty(); }
 
   void Draw(PanelFrame& frame) override {
     constexpr std::size_t most = 20;  // as many as a report has in full
-    const auto& errors = frame.viewer.SceneProblems();
+    const auto& errors = frame.viewer.scene.Mistakes();
     for (std::size_t i = 0; i < std::min(errors.size(), most); ++i) {
       const SceneError& error = errors[i];
       std::string place = error.file;
       if (error.line > 0) place += ":" + std::to_string(error.line) + ":" + std::to_string(error.column);
       frame.Say(place);
-      const bool is_dark = frame.viewer.PanelLook().theme == PanelTheme::dark;
+      const bool is_dark = frame.viewer.panels->Look().theme == PanelTheme::dark;
       ImGui::PushStyleColor(ImGuiCol_Text, is_dark ? error_on_dark : error_on_light);
       frame.Say(error.message);
       ImGui::PopStyleColor();

@@ -5,6 +5,7 @@
 
 #include "R1/Elementary.h"
 #include "source/text/NumberText.h"
+#include "source/view/commands/Images.h"
 #include "source/view/compare/Histogram.h"
 #include "source/view/panels/Brief.h"
 #include "source/view/panels/Panel.h"
@@ -26,23 +27,23 @@ class ImagePanel : public Panel {
 
  private:
   static void DrawExposure(PanelFrame& frame) {
-    auto stops = static_cast<float>(frame.viewer.ExposureSteps());
+    auto stops = static_cast<float>(frame.viewer.exposure_steps);
     constexpr auto most = static_cast<float>(most_stops);
-    frame.Fact("exposure", Rounded(frame.viewer.ExposureSteps(), 4) + " stops");
+    frame.Fact("exposure", Rounded(frame.viewer.exposure_steps, 4) + " stops");
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const bool is_moved = ImGui::SliderFloat("##exposure", &stops, -most, most, "");
     frame.Note("slide exposure");
     if (!is_moved) return;
     const double rounded = std::round(static_cast<double>(stops) / step_of_slider) * step_of_slider;
-    frame.Ask([rounded](Viewer& v) { v.SetExposure(rounded); });
+    frame.Ask([rounded](ViewerState& v) { SetExposure(v, rounded); });
   }
 
   void DrawHistogram(PanelFrame& frame) {
-    const TracedPictures& pictures = frame.viewer.Pictures();
+    const TracedPictures& pictures = frame.viewer.pictures;
     const RenderJob* job = pictures.IsLive() && pictures.Live() ? pictures.Live() : pictures.Trace();
     if (!job) return frame.Say("S or P renders an image, whose values are then counted here");
     const Seen now{pictures.IsLive() ? pictures.LiveNumber() : pictures.TraceNumber(), job->Samples(), job->HasEnded(),
-                   frame.viewer.ExposureSteps()};
+                   frame.viewer.exposure_steps};
     if (!(now == seen_)) {
       seen_ = now;
       if (const auto image = pictures.Current()) histogram_ = HistogramOf(*image, R1::Exp2(now.stops));
@@ -78,20 +79,20 @@ class ImagePanel : public Panel {
   }
 
   static void DrawStrip(PanelFrame& frame) {
-    const ImageStrip& strip = frame.viewer.Images();
+    const ImageStrip& strip = frame.viewer.images;
     ImGui::Separator();
     if (strip.All().empty()) return frame.Say("Finished images are listed here; a click shows one instead of the last");
     frame.Say("images made, Control+Page Up and Down flip them");
     for (std::size_t i = 0; i < strip.All().size(); ++i) {
       const KeptImage& kept = strip.All()[i];
-      const bool is_shown = frame.viewer.ShownImage() == i;
+      const bool is_shown = ShownImage(frame.viewer) == i;
       ImGui::PushID(static_cast<int>(i));
       const std::string name = "image " + std::to_string(strip.NumberOf(i)) + ": " +
                                std::to_string(kept.image->Width()) + "x" + std::to_string(kept.image->Height()) + ", " +
                                Rounded(kept.samples, 4) +
                                (kept.samples == 1 ? " sample, " : " samples, ") + Rounded(kept.seconds, 3) + " s";
       if (frame.Choice(name, is_shown))
-        frame.Ask([i, is_shown](Viewer& v) { v.ShowImage(is_shown ? std::nullopt : std::optional(i)); });
+        frame.Ask([i, is_shown](ViewerState& v) { ShowImage(v, is_shown ? std::nullopt : std::optional(i)); });
       ImGui::PopID();
       if (!is_shown) continue;
       if (!kept.claim.empty()) frame.Say(kept.claim);

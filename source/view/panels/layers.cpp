@@ -10,6 +10,7 @@
 #include "source/integrate/debug/Heat.h"
 #include "source/render/LayerColors.h"
 #include "source/text/EnumNames.h"
+#include "source/view/commands/Rendering.h"
 #include "source/view/panels/Brief.h"
 #include "source/view/panels/Panel.h"
 
@@ -58,7 +59,7 @@ std::optional<std::pair<double, double>> DepthsOf(const Frame& frame) {
 class LayersPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const TracedPictures& pictures = frame.viewer.Pictures();
+    const TracedPictures& pictures = frame.viewer.pictures;
     const RenderJob* job = pictures.IsLive() ? pictures.Live() : nullptr;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("live").x -
                             ImGui::GetStyle().ItemInnerSpacing.x);
@@ -75,11 +76,11 @@ class LayersPanel : public Panel {
 
  private:
   static void DrawModes(PanelFrame& frame, const RenderJob* job) {
-    if (frame.Choice("off", !job) && job) frame.Ask([](Viewer& v) { v.ShowLayer({}); });
+    if (frame.Choice("off", !job) && job) frame.Ask([](ViewerState& v) { ShowLayer(v, {}); });
     for (std::size_t i = 0; i < render_modes.size(); ++i) {
       const auto mode = static_cast<RenderMode>(i);
       if (frame.Choice(render_modes[i], job && job->Settings().mode == mode))
-        frame.Ask([mode](Viewer& v) { v.ShowLayer(mode); });
+        frame.Ask([mode](ViewerState& v) { ShowLayer(v, mode); });
     }
   }
 
@@ -108,7 +109,7 @@ class LayersPanel : public Panel {
 
   /// The number that the color below the pointer stands for.
   static void DrawValue(PanelFrame& frame, const RenderJob& job) {
-    const auto& pointer = frame.viewer.Pointer();
+    const auto& pointer = frame.viewer.PictureUnderPointer();
     const Frame& picture = job.frame();
     const auto x = static_cast<int>(std::floor(pointer.x)), y = static_cast<int>(std::floor(pointer.y));
     if (x < 0 || y < 0 || x >= picture.Width() || y >= picture.Height()) return;

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "source/view/commands/Showing.h"
 #include "source/view/panels/Panel.h"
 
 // Colors and letters of the panels themselves.
@@ -9,8 +10,8 @@ namespace {
 class LookPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const PanelSettings now = frame.viewer.PanelLook();
-    const auto ask = [&](const PanelSettings& look) { frame.Ask([look](Viewer& v) { v.SetPanelLook(look); }); };
+    const PanelSettings now = frame.viewer.panels->Look();
+    const auto ask = [&](const PanelSettings& look) { frame.Ask([look](ViewerState& v) { SetPanelLook(v, look); }); };
     for (const auto& [name, theme] : {std::pair{"dark", PanelTheme::dark}, std::pair{"light", PanelTheme::light}}) {
       if (ImGui::RadioButton(name, now.theme == theme)) ask({theme, now.letters, now.width});
       frame.Note(name);

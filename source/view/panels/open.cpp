@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "source/view/commands/Scenes.h"
 #include "source/view/edit/SceneFiles.h"
 #include "source/view/panels/Panel.h"
 
@@ -11,14 +12,14 @@ namespace {
 
 class OpenPanel : public Panel {
  public:
-  bool IsOfUse(const Viewer& viewer) const override { return viewer.ListsScenes(); }
+  bool IsOfUse(const ViewerState& viewer) const override { return viewer.lists_scenes; }
 
   void Draw(PanelFrame& frame) override {
-    const Viewer& viewer = frame.viewer;
-    if (scene_number_ != viewer.SceneNumber()) {
-      scene_number_ = viewer.SceneNumber();
-      scenes_ = ScenesBeside(viewer.SceneFile());
-      recent_ = viewer.RecentScenes();
+    const ViewerState& viewer = frame.viewer;
+    if (scene_number_ != viewer.scene.Number()) {
+      scene_number_ = viewer.scene.Number();
+      scenes_ = ScenesBeside(viewer.settings.scene);
+      recent_ = viewer.host.RecentScenes();
     }
     frame.Say("Page Up and Page Down go through this folder");
     for (const std::string& file : scenes_) Offer(frame, file, std::filesystem::path(file).filename().string());
@@ -32,7 +33,8 @@ class OpenPanel : public Panel {
  private:
   static void Offer(PanelFrame& frame, const std::string& file, const std::string& name) {
     ImGui::PushID(file.c_str());
-    if (frame.Choice(name, file == frame.viewer.SceneFile())) frame.Ask([file](Viewer& v) { v.OpenScene(file); });
+    if (frame.Choice(name, file == frame.viewer.settings.scene))
+      frame.Ask([file](ViewerState& v) { OpenScene(v, file); });
     ImGui::PopID();
   }
 

@@ -1,6 +1,8 @@
 #include <imgui.h>
 
 #include "source/text/Words.h"
+#include "source/view/commands/Cameras.h"
+#include "source/view/commands/Showing.h"
 #include "source/view/panels/Brief.h"
 #include "source/view/panels/Tree.h"
 
@@ -52,13 +54,13 @@ void DrawMaterial(PanelFrame& frame, const Material& m) {
 class Outliner : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const LoadedScene& scene = frame.viewer.scene();
-    if (std::exchange(scene_number_, frame.viewer.SceneNumber()) != frame.viewer.SceneNumber()) {
+    const LoadedScene& scene = frame.viewer.scene.Loaded();
+    if (std::exchange(scene_number_, frame.viewer.scene.Number()) != frame.viewer.scene.Number()) {
       nodes_.Forget();
       nodes_.SetOpen(0, true);
       ReadParents(scene.world);
     }
-    const auto chosen = frame.viewer.ChosenNode();
+    const auto chosen = frame.viewer.selection.node;
     if (chosen && chosen != last_chosen_)
       for (std::size_t up = parents_[*chosen]; up != parents_.size(); up = parents_[up]) nodes_.SetOpen(up, true);
     last_chosen_ = chosen;
@@ -86,14 +88,14 @@ class Outliner : public Panel {
       return "scene, " + Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive");
     };
     const auto clicked =
-        nodes_.Draw(frame, "nodes", {{0}, children_of, text_of}, outliner_lines, frame.viewer.ChosenNode());
-    if (clicked) frame.Ask([node = *clicked](Viewer& v) { v.ChooseNode(node); });
+        nodes_.Draw(frame, "nodes", {{0}, children_of, text_of}, outliner_lines, frame.viewer.selection.node);
+    if (clicked) frame.Ask([node = *clicked](ViewerState& v) { ChooseNode(v, node); });
   }
 
   static void DrawNode(PanelFrame& frame, const FlatNode& flat) {
     ImGui::Separator();
     const Node& node = *flat.node;
-    const Scene& scene = frame.viewer.scene().parsed.scene;
+    const Scene& scene = frame.viewer.scene.Loaded().parsed.scene;
     if (node.location.line > 0)
       frame.Fact("from", scene.files[node.location.file] + ":" + std::to_string(node.location.line));
     if (node.shape) {
@@ -108,10 +110,11 @@ class Outliner : public Panel {
       frame.Fact("high", Brief(node.bounds.high));
     }
     if (flat.instance >= 0)
-      DrawMaterial(frame, *frame.viewer.scene().world.Instances()[static_cast<std::size_t>(flat.instance)].material);
-    if (frame.Button("frame")) frame.Ask([](Viewer& v) { v.FrameChosenNode(); });
+      DrawMaterial(frame,
+                   *frame.viewer.scene.Loaded().world.Instances()[static_cast<std::size_t>(flat.instance)].material);
+    if (frame.Button("frame")) frame.Ask([](ViewerState& v) { FrameChosenNode(v); });
     ImGui::SameLine();
-    if (frame.Button("deselect")) frame.Ask([](Viewer& v) { v.ChooseNode({}); });
+    if (frame.Button("deselect")) frame.Ask([](ViewerState& v) { ChooseNode(v, {}); });
   }
 
   static void DrawLights(PanelFrame& frame, const Scene& scene) {

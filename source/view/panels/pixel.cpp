@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "source/text/NumberText.h"
+#include "source/view/commands/Rays.h"
 #include "source/view/panels/Brief.h"
 #include "source/view/panels/Tree.h"
 
@@ -54,19 +55,19 @@ void DrawLegend(PanelFrame& frame) {
   constexpr std::array names{"from the camera", "to lights; blocked", "reflected; scattered", "transmitted"};
   static_assert(names.size() == shown_ray_kinds);
   ImGui::Separator();
-  const RayLook& look = frame.viewer.Rays().Look();
+  const RayLook& look = frame.viewer.rays.Look();
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto kind = static_cast<ShownRays>(i);
     DrawSwatch(ColorsOf(kind));
-    if (frame.Check(names[i], look.shows[i])) frame.Ask([kind](Viewer& v) { v.ToggleRays(kind); });
+    if (frame.Check(names[i], look.shows[i])) frame.Ask([kind](ViewerState& v) { ToggleRays(v, kind); });
   }
   DrawSwatch(std::array<Rgba, 1>{ColorOfNormals()});
-  if (frame.Check("normals", look.normals)) frame.Ask([](Viewer& v) { v.ToggleNormals(); });
+  if (frame.Check("normals", look.normals)) frame.Ask([](ViewerState& v) { ToggleNormals(v); });
 }
 
 /// How many rays are traced to be looked at, each a number that is typed.
 void DrawCounts(PanelFrame& frame) {
-  const DebugRayCounts now = frame.viewer.Rays().Counts();
+  const DebugRayCounts now = frame.viewer.rays.Counts();
   constexpr int most = 4096;
   const auto number = [&](const char* name, int DebugRayCounts::*count) {
     int value = now.*count;
@@ -76,7 +77,7 @@ void DrawCounts(PanelFrame& frame) {
     if (!is_typed) return;
     DebugRayCounts counts = now;
     counts.*count = std::clamp(value, 1, most);
-    frame.Ask([counts](Viewer& v) { v.SetDebugRays(counts); });
+    frame.Ask([counts](ViewerState& v) { SetDebugRays(v, counts); });
   };
   number("camera rays per pixel", &DebugRayCounts::camera);
   number("shadow rays per light", &DebugRayCounts::shadow);
@@ -86,12 +87,12 @@ void DrawCounts(PanelFrame& frame) {
 class PixelPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    if (const auto& pick = frame.viewer.Picked())
+    if (const auto& pick = frame.viewer.selection.pick)
       for (const std::string& line : pick->text) frame.Say(line);
-    const auto& pixel = frame.viewer.Rays().Pixel();
+    const auto& pixel = frame.viewer.rays.Pixel();
     if (!pixel) frame.Say("Right-click a pixel: its rays are listed here.");
     if (pixel) DrawPixel(frame, *pixel);
-    if (pixel || frame.viewer.Rays().ShowsGrid() || frame.viewer.Section().IsShown()) {
+    if (pixel || frame.viewer.rays.ShowsGrid() || frame.viewer.section.IsShown()) {
       DrawLegend(frame);
       DrawCounts(frame);
     }
@@ -99,13 +100,13 @@ class PixelPanel : public Panel {
 
  private:
   void DrawPixel(PanelFrame& frame, const PixelTrace& pixel) {
-    if (frame.viewer.Picked()) ImGui::Separator();
+    if (frame.viewer.selection.pick) ImGui::Separator();
     frame.Say("rays of pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ": " +
               Brief(pixel.Mean()));
     frame.Say("kind, luminance it contributes | length, what it hits");
     Read(frame, pixel);
     DrawTree(frame, pixel);
-    const auto chosen = frame.viewer.Rays().Look().chosen;
+    const auto chosen = frame.viewer.rays.Look().chosen;
     if (!chosen) return;
     DrawRay(frame, pixel.rays[*chosen]);
     frame.Fact("subtree", Brief(contribution_[*chosen]) + " contributed in all");
@@ -113,7 +114,7 @@ class PixelPanel : public Panel {
 
   /// What each ray leads to, and what all of that contributes; read again for each trace of a pixel.
   void Read(const PanelFrame& frame, const PixelTrace& pixel) {
-    const int trace = frame.viewer.Rays().TraceNumber();
+    const int trace = frame.viewer.rays.TraceNumber();
     if (std::exchange(trace_, trace) == trace) return;
     rays_.Forget();
     children_.assign(pixel.rays.size(), {});
@@ -134,7 +135,7 @@ class PixelPanel : public Panel {
   }
 
   void DrawTree(PanelFrame& frame, const PixelTrace& pixel) {
-    const World& world = frame.viewer.scene().world;
+    const World& world = frame.viewer.scene.Loaded().world;
     const auto text_of = [&](std::size_t i) {
       const RecordedRay& ray = pixel.rays[i];
       const std::string hit = HitBy(ray, world);
@@ -143,11 +144,12 @@ class PixelPanel : public Panel {
       if (!hit.empty()) text += (ray.kind == RayKind::shadow ? " blocked by " : " to ") + hit;
       return text;
     };
-    const auto chosen = frame.viewer.Rays().Look().chosen;
+    const auto chosen = frame.viewer.rays.Look().chosen;
     const auto clicked =
         rays_.Draw(frame, "rays", {roots_, [&](std::size_t i) { return children_[i]; }, text_of}, pixel_lines, chosen);
     if (!clicked) return;
-    frame.Ask([ray = *clicked, chosen](Viewer& v) { v.ChooseRay(ray == chosen ? std::nullopt : std::optional(ray)); });
+    frame.Ask(
+        [ray = *clicked, chosen](ViewerState& v) { ChooseRay(v, ray == chosen ? std::nullopt : std::optional(ray)); });
   }
 
   static void DrawRay(PanelFrame& frame, const RecordedRay& ray) {
@@ -156,7 +158,7 @@ class PixelPanel : public Panel {
     frame.Fact("along", Brief(Unit(ray.ray.direction)) + (ray.is_inside ? ", inside" : ""));
     if (!ray.towards.empty()) frame.Fact("toward", Brief(ray.towards));
     frame.Fact("length", LengthOf(ray));
-    const std::string hit = HitBy(ray, frame.viewer.scene().world);
+    const std::string hit = HitBy(ray, frame.viewer.scene.Loaded().world);
     if (!hit.empty()) frame.Fact(ray.kind == RayKind::shadow ? "blocked" : "hits", hit);
     if (ray.at) frame.Fact("normal", Brief(AsVector(ray.at->shading_normal)));
     frame.Fact("throughput", Brief(ray.throughput));

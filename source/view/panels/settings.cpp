@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "source/view/commands/Scenes.h"
 #include "source/view/panels/Panel.h"
 
 // Options of the program, changed while it runs, and the command that renders what is seen.
@@ -14,7 +15,7 @@ namespace {
 constexpr std::size_t most_letters = 4096;
 
 void ChangeTo(PanelFrame& frame, const ShownOption& option, const std::string& value) {
-  if (value != option.value) frame.Ask([name = option.name, value](Viewer& v) { v.ChangeOption(name, value); });
+  if (value != option.value) frame.Ask([name = option.name, value](ViewerState& v) { ChangeOption(v, name, value); });
 }
 
 void DrawChoices(PanelFrame& frame, const ShownOption& option) {
@@ -60,16 +61,17 @@ void DrawOption(PanelFrame& frame, const ShownOption& option) {
 class SettingsPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const std::string command = frame.viewer.Command();
+    const std::string command = frame.viewer.host.CommandFor(frame.viewer.SettingsOfView());
     if (!command.empty()) {
       frame.Say(command);
       if (frame.viewer.HasMovedCamera()) frame.Say("with the camera moved; key C prints its line");
-      if (frame.Button("copy the command")) frame.Ask([command](Viewer& v) { v.CopyText(command + "\n"); });
+      if (frame.Button("copy the command"))
+        frame.Ask([command](ViewerState& v) { v.host.SetClipboard(command + "\n"); });
     }
-    if (!frame.viewer.OptionProblem().empty()) frame.Say("refused: " + frame.viewer.OptionProblem());
+    if (!frame.viewer.option_problem.empty()) frame.Say("refused: " + frame.viewer.option_problem);
     std::string topic;
     bool is_open = false;
-    for (const ShownOption& option : frame.viewer.ShownOptions()) {
+    for (const ShownOption& option : frame.viewer.host.ShownOptions()) {
       if (std::exchange(topic, option.topic) != option.topic) is_open = DrawTopic(frame, option.topic);
       if (is_open) DrawOption(frame, option);
     }

@@ -36,11 +36,11 @@ void DrawRays(PanelFrame& frame, const RayCounts& rays) {
 class StatisticsPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const World& world = frame.viewer.scene().world;
+    const World& world = frame.viewer.scene.Loaded().world;
     frame.Fact("scene", Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive") + ", " +
                             Counted(world.Instances().size(), "instance") + ", " +
                             Counted(world.Nodes().size(), "node"));
-    const TracedPictures& pictures = frame.viewer.Pictures();
+    const TracedPictures& pictures = frame.viewer.pictures;
     const RenderJob* job = pictures.IsLive() ? pictures.Live() : pictures.Trace();
     if (!job) return frame.Say("Nothing is rendered yet; P renders live, S an image.");
     frame.Fact("mode", NameOf(job->Settings().mode));

@@ -31,15 +31,16 @@ TEST_F(ViewerTest, TheRenderedPictureIsShownFlatUntilEscape) {
 TEST_F(ViewerTest, TheWheelZoomsTheFlatPictureAboutThePointerAndADragMovesIt) {
   Do("key S\nwait trace\nkey I\nmove 10.5 20.5");
   const Camera before = camera();
-  const R2::Point pixel = viewer_->Pointer();
+  const R2::Point pixel = viewer_->state().PictureUnderPointer();
   Do("scroll 5 10.5 20.5");
   const PixelBox zoomed = viewer_->Show().picture->place;
   EXPECT_GT(zoomed.width, 2 * width);
-  EXPECT_NEAR(viewer_->Pointer().x, pixel.x, 1e-9);
-  EXPECT_NEAR(viewer_->Pointer().y, pixel.y, 1e-9);
+  EXPECT_NEAR(viewer_->state().PictureUnderPointer().x, pixel.x, 1e-9);
+  EXPECT_NEAR(viewer_->state().PictureUnderPointer().y, pixel.y, 1e-9);
   Do("down left 10.5 20.5\nmove 30.5 25.5\nup left 30.5 25.5");
-  EXPECT_NEAR(viewer_->Pointer().x, pixel.x, 1e-9) << "what was taken hold of stays under the pointer";
-  EXPECT_NEAR(viewer_->Pointer().y, pixel.y, 1e-9);
+  EXPECT_NEAR(viewer_->state().PictureUnderPointer().x, pixel.x, 1e-9)
+      << "what was taken hold of stays under the pointer";
+  EXPECT_NEAR(viewer_->state().PictureUnderPointer().y, pixel.y, 1e-9);
   Do("click right 30.5 25.5");
   EXPECT_EQ(StateLine("pixel"), "10 20");
   EXPECT_TRUE(IsCameraOf(before));
@@ -84,7 +85,8 @@ TEST_F(ViewerTest, LargePixelsTellTheirValues) {
   Do("scroll 10 200 150\ntick 10\nmove 200 150");
   const auto labels = viewer_->Show().labels;
   ASSERT_FALSE(labels.empty());
-  const auto x = static_cast<int>(viewer_->Pointer().x), y = static_cast<int>(viewer_->Pointer().y);
+  const auto x = static_cast<int>(viewer_->state().PictureUnderPointer().x),
+             y = static_cast<int>(viewer_->state().PictureUnderPointer().y);
   const R2::Color value = viewer_->Pictures().Trace()->frame().At(x, y);
   // The three that are nearest to the middle of that pixel, from the top.
   const PixelBox place = viewer_->Show().picture->place;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "source/view/KeyBindings.h"
 #include "source/view/Viewer.h"
 
 namespace {
@@ -27,7 +28,7 @@ TEST(HelpText, TextsStandBelowOneAnother) {
 }
 
 TEST(HelpText, BeginsWithTheMouse) {
-  const auto rows = ray::Viewer::HelpRows();
+  const auto rows = ray::RowsOfHelp();
   EXPECT_TRUE(rows.at(0).keys.empty());
   EXPECT_EQ(rows.at(0).text, "Mouse");
   EXPECT_EQ(rows.at(1).keys, "left drag");

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "source/view/EventScript.h"
+#include "source/view/KeyBindings.h"
 #include "source/view/Viewer.h"
 #include "tests/Draw.h"
 #include "tests/source/view/CopiedScenes.h"
@@ -79,7 +80,7 @@ class RandomUser {
   /// Whether key S still makes the picture that the same settings make without a viewer.
   void CheckRendering() {
     for (int i = 0; i < 3; ++i) Do(ButtonEvent{static_cast<Button>(i), false, 1, 1, {}});
-    if (viewer_->ShowsPanels()) Do(KeyEvent{Key::tab, {}, true});
+    if (viewer_->state().shows_panels) Do(KeyEvent{Key::tab, {}, true});
     Do(ResizeEvent{24, 16, 1});
     host_.traced.clear();
     host_.traced_settings.clear();
@@ -112,7 +113,7 @@ class RandomUser {
   }
 
   void PressKey() {
-    const auto& bindings = Viewer::Bindings();
+    const auto& bindings = KeyBindings();
     const auto& binding = bindings[static_cast<std::size_t>(draw_.Whole(0, static_cast<int>(bindings.size()) - 1))];
     const bool is_bound = draw_.Whole(0, 4) > 0;
     const Key key = is_bound ? binding.key : static_cast<Key>(draw_.Whole(0, static_cast<int>(Key::pad_9)));

@@ -65,7 +65,7 @@ class ViewerTest : public ScriptedViewer<Witness, 64, 48> {
     return Render(scene.world, *scene.accelerator, settings).image;
   }
   std::string StateLine(const std::string& name) const {
-    std::istringstream in(viewer_->State());
+    std::istringstream in(viewer_->InWords());
     for (std::string line; std::getline(in, line);)
       if (line.compare(0, name.size() + 1, name + " ") == 0) return line.substr(name.size() + 1);
     return "no such line";

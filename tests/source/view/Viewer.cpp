@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "source/view/commands/Rays.h"
 #include "tests/source/view/ScriptedViewer.h"
 
 namespace ray {
@@ -20,11 +21,11 @@ TEST_F(ViewerTest, RotatesAsATurntableUntilKeyT) {
 }
 
 TEST_F(ViewerTest, APixelsRaysArePrintedAsRayproPrintsThem) {
-  const RenderSettings settings = viewer_->SettingsOfView();
-  viewer_->SetDebugRays({settings.samples, settings.trace.shadow_samples, 10});
+  const RenderSettings settings = viewer_->state().SettingsOfView();
+  SetDebugRays(viewer_->state(), {settings.samples, settings.trace.shadow_samples, 10});
   Do("click right 30 20");
   const LoadedScene& scene = viewer_->scene();
-  EXPECT_NE(host_.printed.find(DebugPixel(scene.world, *scene.accelerator, viewer_->SettingsOfView(), 30, 20)),
+  EXPECT_NE(host_.printed.find(DebugPixel(scene.world, *scene.accelerator, viewer_->state().SettingsOfView(), 30, 20)),
             std::string::npos);
   Do("key Right\nkey Up");
   EXPECT_EQ(StateLine("pixel"), "31 21");
@@ -68,7 +69,7 @@ TEST_F(ViewerTest, APreviewThatIsNotTheProjectionSaysSo) {
   EXPECT_FALSE(says());
   Open(project::Root() / "scenes/fisheye.scn");
   EXPECT_TRUE(says());
-  const R2::Image preview_pinhole = Rendered(viewer_->SettingsOfView());
+  const R2::Image preview_pinhole = Rendered(viewer_->state().SettingsOfView());
   EXPECT_EQ(preview_pinhole.At(0, 0), R2::Color()) << "the corner of what S traces is outside of the circle";
   Do("key F");
   EXPECT_STREQ(camera().kind->name, "fisheye") << "a view that moves keeps its projection";

@@ -4,15 +4,16 @@
 #include <map>
 #include <set>
 
+#include "source/view/KeyBindings.h"
 #include "tests/source/view/ScriptedViewer.h"
 
 namespace ray {
 namespace {
 
 TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
-  const auto help = Viewer::Help();
+  const auto help = LinesOfHelp();
   std::set<std::string> names;
-  for (const Viewer::Binding& binding : Viewer::Bindings()) {
+  for (const KeyBinding& binding : KeyBindings()) {
     const std::string name = NameOf(binding.key, binding.modifiers);
     EXPECT_TRUE(names.insert(name).second) << name << " is bound twice";
     const bool is_bookmark = name.back() >= '1' && name.back() <= '9' && name[0] != 'F' && name[0] != 'P';
@@ -47,14 +48,14 @@ TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
       {"Shift+D", "key P\nwait trace\nkey R"},
   };
   const CopiedScenes folder;
-  for (const Viewer::Binding& binding : Viewer::Bindings()) {
+  for (const KeyBinding& binding : KeyBindings()) {
     const std::string name = NameOf(binding.key, binding.modifiers);
     host_ = {};
     Open(folder / "hello.scn");
     if (const auto found = before.find(name); found != before.end()) Do(found->second);
     const auto seen = [&] {
       const FrameState shown = viewer_->Show();
-      return viewer_->State() + std::to_string(host_.drawings) + host_.printed + host_.rays + host_.clipboard +
+      return viewer_->InWords() + std::to_string(host_.drawings) + host_.printed + host_.rays + host_.clipboard +
              std::to_string(shown.lines->size()) + std::to_string(viewer_->IsClosed());
     };
     const std::string without = seen();
@@ -125,7 +126,7 @@ TEST_F(ViewerTest, EveryKeyTellsWhatItDidAndNotWhatItIsFor) {
   for (const bool has_something : {false, true}) {
     std::string help;
     const CopiedScenes folder;
-    for (const Viewer::Binding& binding : Viewer::Bindings()) {
+    for (const KeyBinding& binding : KeyBindings()) {
       Open(folder / "hello.scn");
       if (has_something) Do("key [\nkey Control+1\nclick left 32 24\nclick right 32 24\nkey X");
       if (*binding.help) help = binding.help;

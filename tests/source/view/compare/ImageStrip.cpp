@@ -1,5 +1,6 @@
 // The images made so far can be looked at again, and each is the reference for the next.
 
+#include "source/view/commands/Images.h"
 #include "source/view/compare/ImageStrip.h"
 
 #include <gtest/gtest.h>
@@ -23,22 +24,22 @@ TEST_F(ViewerTest, FlipsThroughTheImagesMadeSoFar) {
   Do("key Control+PageUp");
   EXPECT_NE(viewer_->Message().find("no image"), std::string::npos);
   Do("key S\nwait trace\nkey [\nkey S\nwait trace");
-  ASSERT_EQ(viewer_->Images().All().size(), 2u);
+  ASSERT_EQ(viewer_->state().images.All().size(), 2u);
   Do("key Control+PageUp\nkey Control+PageUp");
-  EXPECT_EQ(viewer_->ShownImage(), 0u);
+  EXPECT_EQ(ShownImage(viewer_->state()), 0u);
   EXPECT_EQ(*viewer_->Pictures().Compared(), host_.traced[0]);
   Do("key Control+PageDown");
   EXPECT_EQ(*viewer_->Pictures().Compared(), host_.traced[1]);
   Do("key Control+PageDown");
-  EXPECT_FALSE(viewer_->ShownImage());
+  EXPECT_FALSE(ShownImage(viewer_->state()));
   EXPECT_FALSE(viewer_->Pictures().Compared());
 }
 
 TEST_F(ViewerTest, ChangesExposureInQuartersOfAStop) {
   Do("key Control+Up\nkey Control+Shift+Down");
-  EXPECT_EQ(viewer_->ExposureSteps(), 0.75);
+  EXPECT_EQ(viewer_->state().exposure_steps, 0.75);
   EXPECT_EQ(viewer_->Message(), "exposure 0.75 stops");
-  viewer_->SetExposure(-1.3);
+  SetExposure(viewer_->state(), -1.3);
   EXPECT_DOUBLE_EQ(viewer_->Show().seen_from.exposure.factor, std::exp2(-1.3));
 }
 

@@ -1,5 +1,7 @@
 // Changes of a scene in the viewer: seen at once, undone and redone, and saved into the lines they are of.
 
+#include "source/view/commands/Scenes.h"
+#include "source/view/commands/Showing.h"
 #include "source/view/edit/SceneEditor.h"
 
 #include <gtest/gtest.h>
@@ -36,37 +38,37 @@ class EditorTest : public ScriptedViewer<WithOptions, 64, 48> {
   const Camera& camera() const { return viewer_->navigator().camera(); }
   R2::Image Rendered() const {
     const LoadedScene& scene = viewer_->scene();
-    return Render(scene.world, *scene.accelerator, viewer_->SettingsOfView()).image;
+    return Render(scene.world, *scene.accelerator, viewer_->state().SettingsOfView()).image;
   }
   void SetUp() override {
     before_ = BytesOf(file_);
     Open(file_);
   }
-  SceneEditor& Editor() { return viewer_->Editor(); }
+  SceneEditor& Editor() { return viewer_->state().editor; }
   const ScnPlaces& Places() const { return viewer_->scene().places; }
   /// The node that a command of the file makes, the first of them.
   void Choose(const std::string& command) {
     const auto& nodes = viewer_->scene().world.Nodes();
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto statement = StatementAt(Places(), nodes[i].node->location);
-      if (statement && CommandOf(Places(), *statement) == command) return viewer_->ChooseNode(i);
+      if (statement && CommandOf(Places(), *statement) == command) return ChooseNode(viewer_->state(), i);
     }
     FAIL() << "there is no " << command;
   }
   std::string Chosen() {
-    const auto statement = Editor().ChosenStatement(*viewer_);
+    const auto statement = Editor().ChosenStatement(viewer_->state());
     return statement ? NameOf(Places(), *statement) : "none";
   }
   void Set(std::uint32_t statement, const std::string& name, const std::vector<double>& values,
            bool continues = false) {
     for (const ScnField& field : FieldsOf(Places(), statement))
       if (field.name == name) {
-        Editor().SetField(*viewer_, statement, field, values, continues);
+        Editor().SetField(viewer_->state(), statement, field, values, continues);
         return Editor().DoHeld();  // where the machine is slow, what continues waits for the button
       }
     FAIL() << "there is no field " << name;
   }
-  std::uint32_t MaterialOfChosen() { return Places().materials[*Editor().ChosenMaterial(*viewer_)]; }
+  std::uint32_t MaterialOfChosen() { return Places().materials[*Editor().ChosenMaterial(viewer_->state())]; }
   void MakeItGreen() { Set(MaterialOfChosen(), "diffuse (kd)", {0.1, 0.6, 0.15}); }
   std::string Message() const { return viewer_->Message(); }
   bool Says(const std::string& words) const { return Message().find(words) != std::string::npos; }
@@ -138,7 +140,7 @@ TEST_F(EditorTest, MakesOneStepOfWhatASliderDoes) {
 
 TEST_F(EditorTest, RefusesWhatNoSceneCanHave) {
   Choose("cone");
-  Set(*Editor().ChosenStatement(*viewer_), "radius", {-1});
+  Set(*Editor().ChosenStatement(viewer_->state()), "radius", {-1});
   EXPECT_TRUE(Says("radius must not be negative")) << Message();
   EXPECT_EQ(viewer_->scene().places.files[0].text->bytes, before_);
   EXPECT_EQ(Editor().Describe(), "none");
@@ -151,7 +153,7 @@ TEST_F(EditorTest, MovesAMeshByTheGroupAroundIt) {
   EXPECT_EQ(LinesOf(viewer_->scene().places.files[0].text->bytes)[20],
             "  0.75 0 0.3 0.75   0 0.8 0 0.66   -0.3 0 0.75 -1.7   0 0 0 1");
   const R3::Box after = viewer_->scene().parsed.scene.root.children.back().bounds;
-  EXPECT_NEAR(after.low.x - before.low.x, SceneEditor::StepOf(*viewer_), 1e-12);
+  EXPECT_NEAR(after.low.x - before.low.x, SceneEditor::StepOf(viewer_->state()), 1e-12);
   EXPECT_EQ(Chosen(), "mesh, line 22");
 }
 
@@ -162,7 +164,7 @@ TEST_F(EditorTest, MovesAlongTheWorldInsideOfTurnedGroups) {
   const R3::Point before = viewer_->scene().world.Instances()[0].bounds.Center();
   Do("key =");
   const R3::Point after = viewer_->scene().world.Instances()[0].bounds.Center();
-  EXPECT_NEAR(after.x - before.x, SceneEditor::StepOf(*viewer_), 1e-11);
+  EXPECT_NEAR(after.x - before.x, SceneEditor::StepOf(viewer_->state()), 1e-11);
   EXPECT_NEAR(after.y, before.y, 1e-11);
 }
 
@@ -184,9 +186,9 @@ TEST_F(EditorTest, DuplicatesAndDeletesWhatIsChosen) {
 }
 
 TEST_F(EditorTest, EditsALightLikeAnObject) {
-  Editor().ChooseLight(*viewer_, 1);
+  Editor().ChooseLight(viewer_->state(), 1);
   EXPECT_EQ(Chosen(), "point_light, line 6");
-  Set(*Editor().ChosenStatement(*viewer_), "color", {0.5, 0.25, 0.3});
+  Set(*Editor().ChosenStatement(viewer_->state()), "color", {0.5, 0.25, 0.3});
   Do("key A\nkey =\nkey Control+S");
   EXPECT_EQ(ChangedLines(), std::vector<std::size_t>{6});
   EXPECT_EQ(Chosen(), "point_light, line 6");
@@ -215,11 +217,11 @@ TEST_F(EditorTest, WritesTheViewAsTheScenesCamera) {
   Do("key Shift+K");
   EXPECT_TRUE(Says("already"));
   Do("drag left 10 10 30 20\nkey Shift+K");
-  EXPECT_FALSE(viewer_->HasMovedCamera());
+  EXPECT_FALSE(viewer_->state().HasMovedCamera());
   Do("key Control+S");
   EXPECT_EQ(ChangedLines(), std::vector<std::size_t>{2});
   Do("key Control+Z");
-  EXPECT_FALSE(viewer_->HasMovedCamera()) << "who looks through the scene's camera goes with it";
+  EXPECT_FALSE(viewer_->state().HasMovedCamera()) << "who looks through the scene's camera goes with it";
 }
 
 TEST_F(EditorTest, AsksOnceBeforeChangesAreLost) {
@@ -237,9 +239,9 @@ TEST_F(EditorTest, AsksOnceBeforeAnotherSceneIsOpened) {
   MakeItGreen();
   const std::string other = "drop " + (scenes_ / "glass.scn").string();
   Do(other);
-  EXPECT_EQ(viewer_->SceneFile(), file_);
+  EXPECT_EQ(viewer_->state().settings.scene, file_);
   Do(other);
-  EXPECT_EQ(viewer_->SceneFile(), scenes_ / "glass.scn");
+  EXPECT_EQ(viewer_->state().settings.scene, scenes_ / "glass.scn");
   EXPECT_EQ(Editor().Describe(), "none");
   EXPECT_EQ(BytesOf(file_), before_);
 }
@@ -270,7 +272,7 @@ TEST_F(EditorTest, SavesCopiesUnderFreeNames) {
 
 TEST_F(EditorTest, EditsNoSceneOfAnotherLanguage) {
   Open(project::Root() / "scenes/solids.yaml");
-  viewer_->ChooseNode(1);
+  ChooseNode(viewer_->state(), 1);
   Do("key =");
   EXPECT_TRUE(Says("-convert")) << Message();
 }
@@ -288,16 +290,16 @@ TEST_F(EditorTest, RefusesIncludedFilesThatCannotBeWritten) {
 
 TEST_F(EditorTest, PageKeysGoThroughTheFolder) {
   Do("key PageDown");
-  EXPECT_EQ(viewer_->SceneFile(), scenes_ / "empty.scn") << "around the end";
+  EXPECT_EQ(viewer_->state().settings.scene, scenes_ / "empty.scn") << "around the end";
   Do("key PageUp\nkey PageUp");
-  EXPECT_EQ(viewer_->SceneFile(), scenes_ / "glass.scn");
+  EXPECT_EQ(viewer_->state().settings.scene, scenes_ / "glass.scn");
 }
 
 TEST_F(EditorTest, KeepsChangesWhenAnOptionIsChanged) {
   Choose("cone");
   MakeItGreen();
   const std::string edited = viewer_->scene().places.files[0].text->bytes;
-  viewer_->ChangeOption("accel", "grid");
+  ChangeOption(viewer_->state(), "accel", "grid");
   EXPECT_EQ(viewer_->scene().places.files[0].text->bytes, edited);
 }
 

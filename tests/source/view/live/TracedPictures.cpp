@@ -54,14 +54,14 @@ TEST_F(ViewerTest, TheLivePictureEndsAsRayproMakesIt) {
   Do("key P\nwait trace");
   ASSERT_TRUE(viewer_->Pictures().Live());
   ASSERT_TRUE(viewer_->Pictures().Live()->IsComplete());
-  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->SettingsOfView()));
+  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->state().SettingsOfView()));
   const std::uint64_t number = viewer_->Pictures().LiveNumber();
   Do("key Control+Up");
   EXPECT_EQ(viewer_->Pictures().LiveNumber(), number) << "exposure does not begin the picture anew";
   Do("key [");
   EXPECT_EQ(viewer_->Pictures().LiveNumber(), number + 1) << "a move does, once";
   Do("wait trace");
-  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->SettingsOfView()));
+  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->state().SettingsOfView()));
 }
 
 TEST_F(ViewerTest, WithoutSamplesAskedForTheLivePictureGrowsUntilEscape) {
@@ -93,7 +93,7 @@ TEST_F(ViewerTest, ALivePictureWithAnErrorEndsWithItsClaim) {
   const RenderResult* result = viewer_->Pictures().Live()->Result();
   ASSERT_TRUE(result && result->error);
   EXPECT_EQ(result->stop, Stop::error);
-  EXPECT_EQ(result->image, Rendered(viewer_->SettingsOfView()));
+  EXPECT_EQ(result->image, Rendered(viewer_->state().SettingsOfView()));
   EXPECT_EQ(viewer_->Message(), ClaimOf(*result));
   EXPECT_EQ(viewer_->Title(), "hello.scn 64x48 " + ClaimOf(*result));
 }

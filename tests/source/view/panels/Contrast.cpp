@@ -137,7 +137,7 @@ TEST_F(PanelContrast, MistakesOfASceneAreReadInBothThemes) {
     viewer_->ShowPanels({theme});
     std::ofstream(copies / "edited.scn") << "spere -1  0 0 0  1\n";
     Do("key Control+R");
-    ASSERT_FALSE(viewer_->SceneProblems().empty());
+    ASSERT_FALSE(viewer_->state().scene.Mistakes().empty());
     ExpectReadable("errors");
   }
 }

@@ -61,9 +61,9 @@ TEST_F(EditPanelTest, ThreeClicksChangeAColorAndSaveIt) {
   Click("pick diffuse (kd)");
   Click("picker of diffuse (kd)");
   EXPECT_NE(Red().kd, (R2::Color{0.8, 0.22, 0.12}));
-  EXPECT_TRUE(viewer_->Editor().HasUnsaved());
+  EXPECT_TRUE(viewer_->state().editor.HasUnsaved());
   Click("save");
-  EXPECT_FALSE(viewer_->Editor().HasUnsaved()) << viewer_->Message();
+  EXPECT_FALSE(viewer_->state().editor.HasUnsaved()) << viewer_->Message();
 }
 
 TEST_F(EditPanelTest, ADragOfASliderIsOneStep) {
@@ -71,7 +71,7 @@ TEST_F(EditPanelTest, ADragOfASliderIsOneStep) {
   ASSERT_TRUE(slider);
   Do("drag left " + At(slider->x, slider->y) + " " + At(slider->x + 60, slider->y));
   EXPECT_NE(Red().n, 40);
-  EXPECT_EQ(viewer_->Editor().History().Done(), 1u);
+  EXPECT_EQ(viewer_->state().editor.History().Done(), 1u);
   Do("key Control+Z");
   EXPECT_EQ(Red().n, 40);
 }
@@ -96,7 +96,7 @@ TEST_F(EditPanelTest, AListOfTheFolderOpensScenes) {
   EXPECT_FALSE(Find("glass.scn"));
   Do("key Control+O");
   Click("glass.scn");
-  EXPECT_EQ(viewer_->SceneFile(), scenes_ / "glass.scn");
+  EXPECT_EQ(viewer_->state().settings.scene, scenes_ / "glass.scn");
   Do("key Control+O");
   EXPECT_FALSE(Find("hello.scn"));
 }

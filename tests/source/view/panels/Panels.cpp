@@ -12,6 +12,8 @@
 
 #include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
+#include "source/view/KeyBindings.h"
+#include "source/view/commands/Showing.h"
 #include "tests/source/view/ScriptedViewer.h"
 #include "tests/source/view/WithOptions.h"
 
@@ -61,7 +63,7 @@ TEST_F(PanelTest, LeaveHalfOfASmallDrawingToThePictureAndCoverNoneOfIt) {
 TEST_F(PanelTest, StayInTheDrawingAndOnTheirSheet) {
   for (const char* size : {"512 512", "1280 800", "1024 1024 2", "64 48", "1 1"}) {
     Do(std::string("resize ") + size);
-    if (!viewer_->ShowsPanels()) Do("key Tab");
+    if (!viewer_->state().shows_panels) Do("key Tab");
     const auto panels = viewer_->Show().panels;
     const DrawingSize drawing = viewer_->Size();
     for (const PanelDrawing::Part& part : panels->parts) {
@@ -94,7 +96,7 @@ TEST_F(PanelTest, HaveMessagesAsLargeAsTheirLetters) {
   const float usual = width_of_message();
   Do("resize 1024 1024 2");
   EXPECT_NEAR(width_of_message(), 2 * usual, 0.2 * usual);  // letters are whole pixels wide
-  viewer_->SetPanelLook({PanelTheme::dark, 2});
+  SetPanelLook(viewer_->state(), {PanelTheme::dark, 2});
   EXPECT_NEAR(width_of_message(), 4 * usual, 0.2 * usual);
 }
 
@@ -142,7 +144,7 @@ TEST_F(PanelTest, AreAsWideAsTheirEdgeIsDragged) {
   const std::string y = " 20", from = std::to_string(before + 1) + y;
   Do("drag left " + from + " " + std::to_string(before - 99) + y);
   EXPECT_NEAR(left_edge(), before - 100, 2);
-  EXPECT_NEAR(viewer_->PanelLook().width, width - before + 100, 2) << "it is told, to be kept";
+  EXPECT_NEAR(viewer_->state().panels->Look().width, width - before + 100, 2) << "it is told, to be kept";
   Do("resize 256 512");
   EXPECT_GT(left_edge(), 0) << "some of a small picture can still be clicked";
 }
@@ -157,19 +159,19 @@ TEST_F(PanelTest, AreAsWideAsBeforeOnceASmallWindowIsLargeAgain) {
   Do("resize 1000 700");
   viewer_->Show();
   EXPECT_EQ(viewer_->Show().view.width, before);
-  EXPECT_EQ(viewer_->PanelLook().width, 0) << "nothing was dragged, and nothing is kept";
+  EXPECT_EQ(viewer_->state().panels->Look().width, 0) << "nothing was dragged, and nothing is kept";
 }
 
 TEST_F(PanelTest, ANodeThatIsClickedIsToldAndBoxed) {
   Do("key Tab");
   const std::size_t lines = viewer_->Show().lines->size();
   Click("cone, line 18");
-  ASSERT_TRUE(viewer_->ChosenNode());
-  EXPECT_EQ(viewer_->scene().world.Nodes()[*viewer_->ChosenNode()].node->location.line, 18);
+  ASSERT_TRUE(viewer_->state().selection.node);
+  EXPECT_EQ(viewer_->scene().world.Nodes()[*viewer_->state().selection.node].node->location.line, 18);
   EXPECT_TRUE(Says("hello.scn:18")) << viewer_->TextOfPanels();
   EXPECT_EQ(viewer_->Show().lines->size(), lines + 2 * 12) << "a box has twelve edges";
   Click("deselect");
-  EXPECT_FALSE(viewer_->ChosenNode());
+  EXPECT_FALSE(viewer_->state().selection.node);
 }
 
 TEST_F(PanelTest, TheChosenNodeCanBeFramed) {
@@ -194,8 +196,8 @@ TEST_F(PanelTest, AGroupOpensByItsArrow) {
 TEST_F(PanelTest, WhatIsPickedInThePictureIsChosenInTheTree) {
   Do("key Tab\nclick left 200 250");
   ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);
-  ASSERT_TRUE(viewer_->ChosenNode());
-  EXPECT_EQ(viewer_->scene().world.Nodes()[*viewer_->ChosenNode()].instance,
+  ASSERT_TRUE(viewer_->state().selection.node);
+  EXPECT_EQ(viewer_->scene().world.Nodes()[*viewer_->state().selection.node].instance,
             static_cast<std::int32_t>(viewer_->Picked()->instance));
 }
 
@@ -273,7 +275,7 @@ TEST_F(PanelTest, AnOptionIsChosenFromAListOfItsValues) {
   Click("-mode");
   Click("path");
   EXPECT_EQ(host_.mode, "path");
-  EXPECT_EQ(viewer_->SettingsOfView().mode, RenderMode::path);
+  EXPECT_EQ(viewer_->state().SettingsOfView().mode, RenderMode::path);
 }
 
 TEST_F(PanelTest, AnOptionIsTypedAndThePictureStartsOver) {
@@ -288,7 +290,7 @@ TEST_F(PanelTest, AnOptionIsTypedAndThePictureStartsOver) {
   EXPECT_EQ(host_.samples, 1) << "until Enter";
   Do("key Enter\nwait trace");
   EXPECT_EQ(host_.samples, 4);
-  EXPECT_EQ(viewer_->SettingsOfView().samples, 4);
+  EXPECT_EQ(viewer_->state().SettingsOfView().samples, 4);
   EXPECT_GT(viewer_->Pictures().LiveNumber(), before);
   EXPECT_TRUE(Says("make -samples 4")) << viewer_->TextOfPanels();
 }
@@ -300,7 +302,7 @@ TEST_F(PanelTest, AWrongValueIsRefusedAndTold) {
   Click("light");
   Click("-samples");
   Do("key Control+A\ntype many\nkey Enter");
-  EXPECT_EQ(viewer_->SettingsOfView().samples, 1);
+  EXPECT_EQ(viewer_->state().SettingsOfView().samples, 1);
   EXPECT_TRUE(Says("-samples must be 1 to 9, got many")) << viewer_->TextOfPanels();
 }
 
@@ -338,7 +340,7 @@ TEST_F(PanelTest, OptionsStayWhileTheImageIsRendered) {
   Click("-mode");
   Click("path");
   EXPECT_EQ(host_.mode, "whitted");
-  EXPECT_FALSE(viewer_->OptionProblem().empty());
+  EXPECT_FALSE(viewer_->state().option_problem.empty());
 }
 
 TEST_F(PanelTest, TheCommandIsCopied) {
@@ -358,7 +360,8 @@ TEST_F(PanelTest, ALayerIsChosenAndItsNumbersAreThoseOfThePicture) {
   Click("live");
   Click("depth");
   Do("wait trace\nmove 40 128");  // beside the panels
-  const auto x = static_cast<int>(viewer_->Pointer().x), y = static_cast<int>(viewer_->Pointer().y);
+  const auto x = static_cast<int>(viewer_->state().PictureUnderPointer().x),
+             y = static_cast<int>(viewer_->state().PictureUnderPointer().y);
   const RenderJob* job = viewer_->Pictures().Live();
   ASSERT_TRUE(job);
   EXPECT_EQ(job->Settings().mode, RenderMode::depth);
@@ -437,10 +440,10 @@ TEST_F(PanelTest, HaveALightThemeAndLargerLetters) {
   const auto brightness = [](const PanelDrawing& panels) { return panels.corners.front().color[0]; };
   EXPECT_GT(brightness(*light), brightness(*before));
   Click("larger");
-  EXPECT_EQ(viewer_->PanelLook(), (PanelSettings{PanelTheme::light, 1.25}));
+  EXPECT_EQ(viewer_->state().panels->Look(), (PanelSettings{PanelTheme::light, 1.25}));
   EXPECT_NE(viewer_->Show().panels->sheet, light->sheet);
   for (int i = 0; i < 20; ++i) Click("smaller");
-  EXPECT_EQ(viewer_->PanelLook().letters, smallest_letters);
+  EXPECT_EQ(viewer_->state().panels->Look().letters, smallest_letters);
 }
 
 TEST_F(PanelTest, TheHelpIsSearchedByTyping) {
@@ -448,8 +451,7 @@ TEST_F(PanelTest, TheHelpIsSearchedByTyping) {
     Do(std::string("resize 800 800\n") + panels);
     Do("key H");
     const std::string all = viewer_->TextOfPanels();
-    for (const HelpRow& row : Viewer::HelpRows())
-      EXPECT_NE(all.find(row.text.substr(0, 20)), std::string::npos) << row.text;
+    for (const HelpRow& row : RowsOfHelp()) EXPECT_NE(all.find(row.text.substr(0, 20)), std::string::npos) << row.text;
     Do("type EXPOS");
     EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
     EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
@@ -488,9 +490,9 @@ TEST_F(PanelTest, TheStatusBarTellsTheSceneItsProgressAndThePixel) {
   Do("resize 1000 400\nkey Tab");
   EXPECT_TRUE(Says("hello.scn 1000x400")) << viewer_->TextOfPanels();
   Do("key S\nwait trace\nmove 100 100");
-  EXPECT_TRUE(Says(viewer_->Status())) << viewer_->TextOfPanels();
-  EXPECT_NE(viewer_->Status().find("2 samples"), std::string::npos) << viewer_->Status();
-  const R2::Point at = viewer_->Pointer();
+  EXPECT_TRUE(Says(viewer_->state().status.Text())) << viewer_->TextOfPanels();
+  EXPECT_NE(viewer_->state().status.Text().find("2 samples"), std::string::npos) << viewer_->state().status.Text();
+  const R2::Point at = viewer_->state().PictureUnderPointer();
   const std::string pixel = std::to_string(static_cast<int>(at.x)) + " " + std::to_string(static_cast<int>(at.y));
   EXPECT_TRUE(Says(pixel + "  ")) << viewer_->TextOfPanels();
 }
@@ -521,7 +523,7 @@ TEST_F(PanelTest, AnotherSceneIsAnotherTree) {
   Do("key Tab");
   Click("cone, line 18");
   Do("drop " + (project::Root() / "scenes/torus.scn").string());
-  EXPECT_FALSE(viewer_->ChosenNode());
+  EXPECT_FALSE(viewer_->state().selection.node);
   EXPECT_FALSE(HasItem("cone"));
   EXPECT_TRUE(HasItem("torus")) << viewer_->TextOfPanels();
 }

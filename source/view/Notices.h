@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace ray {
+
+/// The message that the user reads, which fades as time passes, and what has changed since it was drawn.
+class Notices {
+ public:
+  void Tell(const std::string& message) {
+    message_ = message;
+    since_ = now_;
+    needs_redraw_ = true;
+  }
+  const std::string& Message() const { return message_; }
+  /// What is left of it, from 1 to 0.
+  double Strength() const {
+    constexpr double seconds_of_message = 5, seconds_of_fading = 1;
+    return std::clamp((since_ + seconds_of_message - now_) / seconds_of_fading, 0.0, 1.0);
+  }
+  /// The message, which is none from now on: what comes next is known to be new. PutBack takes that back.
+  std::string TakeMessage() { return std::exchange(message_, {}); }
+  void PutBack(const std::string& message) { message_ = message; }
+
+  /// In seconds, of all ticks.
+  double Now() const { return now_; }
+  void Advance(double seconds) {
+    const double before = Strength();
+    now_ += seconds;
+    if (Strength() != before) needs_redraw_ = true;
+  }
+
+  void Redraw() { needs_redraw_ = true; }
+  /// The lines in space are others.
+  void RedrawLines() { needs_redraw_ = has_new_lines_ = true; }
+  /// Whether it was asked for since the last call.
+  bool TakeRedraw() { return std::exchange(needs_redraw_, false); }
+  bool TakeNewLines() { return std::exchange(has_new_lines_, false); }
+
+ private:
+  std::string message_;
+  double since_ = 0, now_ = 0;
+  bool needs_redraw_ = true, has_new_lines_ = true;
+};
+
+}  // namespace ray

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "source/accelerate/Accelerator.h"
+#include "source/parse/Parse.h"
+#include "source/render/RenderSettings.h"
+#include "source/view/live/ReferenceImage.h"
+#include "source/view/live/RenderJob.h"
+#include "source/view/panels/Panels.h"
+
+namespace ray {
+
+/// What a viewer begins with.
+struct ViewerSettings {
+  std::string scene;  // its file
+  ParseOptions parse;
+  AcceleratorSettings accelerator;
+  RenderSettings render;  // of traced pictures; their size is that of the drawing
+  ReferenceImage reference;
+  bool live_is_endless = false;  // live rendering without a budget goes on until it is stopped
+  PanelSettings panels{};        // how they look when they are first shown
+};
+
+/// An option of the program, as a panel shows it.
+struct ShownOption {
+  std::string name, topic, help;     // without the dash
+  std::string value;                 // in force, as it would be typed; empty for none
+  std::string range;                 // what may be typed, in words
+  std::vector<std::string> choices;  // where these are all; empty otherwise
+  bool is_flag = false;              // given or not: the value is "on" or empty
+};
+
+/// What a viewer asks of the program around it. The strings returned are messages for the user.
+class ViewerHost {
+ public:
+  virtual ~ViewerHost() = default;
+  /// Writes the picture of key S.
+  virtual std::string SaveTraced(const RenderJob& complete) = 0;
+  /// Writes what is drawn, once the event that asked for it is handled.
+  virtual void SaveDrawing() = 0;
+  /// Writes rays as an .obj file.
+  virtual std::string SaveRays(const std::string& obj) = 0;
+  /// Writes a file whole or not at all. Returns why it could not, else nothing.
+  virtual std::string SaveText(const std::string& file, const std::string& text) = 0;
+  /// Likewise, of the scene that is shown, which other files never take the place of.
+  virtual std::string SaveScene(const std::string& file, const std::string& text) { return SaveText(file, text); }
+  /// Scenes that were opened before, the last first.
+  virtual std::vector<std::string> RecentScenes() { return {}; }
+  /// Without an image where the file is none that can be read.
+  virtual ReferenceImage ReadPicture(const std::string& file) = 0;
+  virtual void SetClipboard(const std::string& text) = 0;
+  /// To standard output.
+  virtual void Print(const std::string& line) = 0;
+
+  // A program without options has none to show.
+  /// Those that bear on pictures, topic by topic.
+  virtual std::vector<ShownOption> ShownOptions() { return {}; }
+  /// What the viewer goes on with once the option has the value, empty for its default; without a reference. Throws an
+  /// exception whose what() is for the user where that cannot be.
+  virtual ViewerSettings ChangeOption(const std::string& name, const std::string& value);
+  /// What the viewer goes on with once it shows this scene, which may have settings of its own; nothing to go on as
+  /// before. Throws as ChangeOption.
+  virtual std::optional<ViewerSettings> SettingsWith(const Scene&) { return {}; }
+  /// The command that makes such a picture without a viewer; empty where there is none.
+  virtual std::string CommandFor(const RenderSettings&) { return {}; }
+};
+
+}  // namespace ray

@@ -1,0 +1,87 @@
+#include "source/view/ViewerState.h"
+
+#include <utility>
+
+#include "source/scene/CameraText.h"
+
+namespace ray {
+
+ViewerState::ViewerState(ViewerSettings begin, std::shared_ptr<const LoadedScene> shown, ViewerHost& around)
+    : host(around),
+      settings(std::move(begin)),
+      navigator(shown->parsed.scene.camera, shown->parsed.scene.root.bounds,
+                {settings.render.width, settings.render.height}),
+      bookmarks(settings.scene),
+      panels(MakePanels()),
+      size{settings.render.width, settings.render.height} {
+  panels->SetLook(settings.panels);
+  pictures.SetReference(settings.reference);
+}
+
+Layout ViewerState::layout() const {
+  return Layout::Of(size, shows_panels ? panels->Width(size.width) : 0, shows_panels ? panels->HeightOfBar() : 0,
+                    section.IsShown());
+}
+
+RenderSettings ViewerState::SettingsOfView() const {
+  RenderSettings render = settings.render;
+  render.width = size.width;
+  render.height = size.height;
+  const Camera &own = scene.Parsed().camera, &now = navigator.camera();
+  // The scene's own view is left unsaid, so that the same command as without a viewer makes the same picture.
+  if (CameraLine(now) != CameraLine(own)) render.view = now;
+  return render;
+}
+
+R3::Ray ViewerState::RayAt(const R2::Point& position) const {
+  const DrawingSize view = layout().view;
+  return navigator.camera().Through(position.x, position.y, view.width, view.height);
+}
+
+std::optional<R3::Point> ViewerState::PointAt(const R2::Point& position) const {
+  const R3::Ray ray = RayAt(position);
+  Workspace workspace;
+  const auto hit = scene.Loaded().accelerator->Intersect(ray, workspace);
+  if (!hit) return {};
+  return scene.world().At(ray, *hit).position;
+}
+
+const RenderJob* ViewerState::FlatJob() const {
+  if (!flat.IsShown()) return nullptr;
+  return pictures.IsLive() ? pictures.Live() : pictures.Trace();
+}
+
+RenderSettings ViewerState::SettingsOfPicture() const {
+  const RenderJob* job = FlatJob();
+  return job ? job->Settings() : SettingsOfView();
+}
+
+Camera ViewerState::CameraOfPicture() const {
+  const RenderJob* job = FlatJob();
+  return job ? job->Settings().view.value_or(scene.Parsed().camera) : navigator.camera();
+}
+
+DrawingSize ViewerState::SizeOfPreview() const {
+  const RenderJob* job = FlatJob();
+  return job ? DrawingSize{job->Settings().width, job->Settings().height} : layout().view;
+}
+
+PixelBox ViewerState::FittingPicture() const {
+  // In the middle of the view: of its own view, where the scene is drawn as the picture shows it.
+  const RenderSettings picture = SettingsOfPicture();
+  return layout().PlaceFor(picture.width, picture.height);
+}
+
+R2::Point ViewerState::InPicture(const R2::Point& position) const {
+  const PixelBox place = PlaceOfPicture();
+  const RenderSettings picture = SettingsOfPicture();
+  return {(position.x - place.left) / place.width * picture.width,
+          (position.y - place.bottom) / place.height * picture.height};
+}
+
+std::optional<TracedQuad> ViewerState::Quad() const {
+  if (!overlays.quad || !pictures.Trace() || pictures.IsLive()) return {};
+  return TracedQuad(pictures.Trace()->Settings(), scene.Parsed().camera, navigator.Center(), scene.Space().radius);
+}
+
+}  // namespace ray

@@ -1,0 +1,128 @@
+#include "source/view/commands/Rays.h"
+
+#include <array>
+
+#include "source/text/Words.h"
+#include "source/view/commands/Sections.h"
+
+namespace ray {
+namespace {
+
+constexpr const char* no_rays = "no rays are shown; press G or right-click a pixel first";
+
+/// What a grid of rays is of: the rendered image, or the view.
+RenderSettings SettingsOfGrid(const ViewerState& viewer) {
+  return viewer.pictures.Trace() ? viewer.pictures.Trace()->Settings() : viewer.SettingsOfView();
+}
+
+/// The pixel of the rendered image that is seen there on its quad.
+std::optional<TracedQuad::Meeting> PixelOnQuad(const ViewerState& viewer, const R2::Point& position) {
+  const auto quad = viewer.Quad();
+  if (!quad) return {};
+  const R3::Ray ray = viewer.RayAt(position);
+  const auto meeting = quad->MeetingWith(ray);
+  if (!meeting) return {};
+  // What stands before the quad is meant rather than it.
+  const auto nearer = viewer.PointAt(position);
+  if (nearer && Length(*nearer - ray.origin) < Length(ray.At(meeting->t) - ray.origin)) return {};
+  return meeting;
+}
+
+void ReportPixel(ViewerState& viewer) {
+  viewer.arrows_move_section = false;
+  const PixelTrace& pixel = *viewer.rays.Pixel();
+  viewer.host.Print(RayTree(pixel, viewer.scene.world(), viewer.rays.PixelSettings()));
+  viewer.notices.Tell("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
+                      Counted(pixel.rays.size(), "ray") + viewer.rays.WhatIsLeftOut());
+  viewer.notices.RedrawLines();
+}
+
+}  // namespace
+
+void ToggleGrid(ViewerState& viewer) {
+  viewer.notices.RedrawLines();
+  if (viewer.rays.ShowsGrid()) {
+    viewer.rays.ToggleGrid();
+    return viewer.notices.Tell("rays off");
+  }
+  viewer.rays.TraceGrid(viewer.scene.Loaded(), SettingsOfGrid(viewer));
+  viewer.notices.Tell("rays of " + Counted(viewer.rays.Grid().size(), "pixel") + "; F2 to F5 choose kinds, N bounces");
+}
+
+void DebugPixelAt(ViewerState& viewer, const R2::Point& position) {
+  if (const auto pixel = viewer.FlatJob() ? std::nullopt : PixelOnQuad(viewer, position)) {
+    viewer.rays.TracePixel(viewer.scene.Loaded(), viewer.pictures.Trace()->Settings(), pixel->column, pixel->row);
+  } else {
+    const R2::Point p = viewer.InPicture(position);
+    const RenderSettings settings = viewer.SettingsOfPicture();
+    if (p.x < 0 || p.y < 0 || p.x >= settings.width || p.y >= settings.height) return;
+    viewer.rays.TracePixel(viewer.scene.Loaded(), settings, static_cast<int>(p.x), static_cast<int>(p.y));
+  }
+  ReportPixel(viewer);
+}
+
+void MoveByArrow(ViewerState& viewer, int right, int up) {
+  if (viewer.arrows_move_section) {
+    MoveSection(viewer, up);
+  } else if (viewer.rays.StepPixel(viewer.scene.Loaded(), right, up)) {
+    ReportPixel(viewer);
+  } else {
+    viewer.notices.Tell(viewer.rays.Pixel() ? "the border of the picture" : "right-click a pixel first, or press X");
+  }
+}
+
+void SaveRays(ViewerState& viewer) {
+  const auto shown = viewer.rays.Shown();
+  if (shown.empty()) return viewer.notices.Tell(no_rays);
+  viewer.notices.Tell(viewer.host.SaveRays(RaysAsObj(shown, viewer.scene.Space().radius)));
+}
+
+void StepBounce(ViewerState& viewer, int by) {
+  if (viewer.rays.Shown().empty()) return viewer.notices.Tell(no_rays);
+  viewer.rays.StepBounce(by);
+  viewer.notices.RedrawLines();
+  const int deepest = viewer.rays.Look().deepest;
+  viewer.notices.Tell(deepest < 0 ? "rays of all bounces" : "rays of up to " + std::to_string(deepest) + " bounces");
+}
+
+void ForgetPixel(ViewerState& viewer) {
+  if (!viewer.rays.Pixel()) return viewer.notices.Tell("no pixel's rays are shown; right-click a pixel first");
+  viewer.rays.ForgetPixel();
+  viewer.notices.RedrawLines();
+  viewer.notices.Tell("the pixel's rays are cleared");
+}
+
+void ChooseRay(ViewerState& viewer, std::optional<std::size_t> ray) {
+  if (!viewer.rays.Pixel()) return;
+  viewer.rays.Choose(ray);
+  viewer.notices.RedrawLines();
+}
+
+void ToggleRays(ViewerState& viewer, ShownRays kind) {
+  constexpr std::array names{"camera rays", "shadow rays", "reflected and scattered rays", "transmitted rays"};
+  static_assert(names.size() == shown_ray_kinds);
+  const auto i = static_cast<std::size_t>(kind);
+  viewer.rays.Toggle(kind);
+  viewer.section_drawing.reset();
+  viewer.notices.RedrawLines();
+  viewer.notices.Tell(std::string(names[i]) + (viewer.rays.Look().shows[i] ? " on" : " off"));
+}
+
+void ToggleNormals(ViewerState& viewer) {
+  viewer.rays.ToggleNormals();
+  viewer.notices.RedrawLines();
+  viewer.notices.Tell(std::string("normals at hit points") + (viewer.rays.Look().normals ? " on" : " off"));
+}
+
+void SetDebugRays(ViewerState& viewer, const DebugRayCounts& counts) {
+  viewer.rays.SetCounts(counts);
+  if (viewer.rays.ShowsGrid()) viewer.rays.TraceGrid(viewer.scene.Loaded(), SettingsOfGrid(viewer));
+  viewer.rays.TraceAgain(viewer.scene.Loaded());
+  viewer.section_drawing.reset();
+  viewer.notices.RedrawLines();
+  viewer.notices.Tell(Counted(static_cast<std::uint64_t>(counts.camera), "camera ray") + " per pixel, " +
+                      Counted(static_cast<std::uint64_t>(counts.shadow), "shadow ray") + " per light; cut: 1 of " +
+                      Counted(static_cast<std::uint64_t>(counts.spacing), "pixel"));
+}
+
+}  // namespace ray

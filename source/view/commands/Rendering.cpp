@@ -1,0 +1,86 @@
+#include "source/view/commands/Rendering.h"
+
+#include "source/scene/CameraText.h"
+#include "source/text/EnumNames.h"
+#include "source/view/commands/Images.h"
+#include "source/view/commands/Scenes.h"
+#include "source/view/live/JobStatus.h"
+
+namespace ray {
+namespace {
+
+void SaveEnded(ViewerState& viewer, const RenderJob& job) {
+  if (!job.Failure().empty()) return viewer.notices.Tell("rendering failed: " + job.Failure());
+  if (!job.IsComplete())
+    return viewer.notices.Tell(
+        "rendering stopped; nothing was saved" +
+        std::string(job.Canceled() ? "; S continues it while view and options are the same" : ""));
+  KeepImage(viewer, job);
+  viewer.notices.Tell(viewer.host.SaveTraced(job) +
+                      (viewer.editor.HasUnsaved() ? "; the scene's changes are not saved yet" : ""));
+}
+
+void TellEndedLive(ViewerState& viewer, const RenderJob& job) {
+  if (!job.Failure().empty()) return viewer.notices.Tell("rendering failed: " + job.Failure());
+  if (job.IsComplete()) KeepImage(viewer, job);
+  if (job.IsComplete() && job.Settings().budget.IsOpen()) viewer.notices.Tell(ClaimOf(*job.Result()));
+}
+
+}  // namespace
+
+void StartTrace(ViewerState& viewer) {
+  const ViewerState::TracedAs as{viewer.scene.Number(), viewer.options_number, CameraLine(viewer.navigator.camera()),
+                                 viewer.size};
+  const bool continues = viewer.pictures.CanContinue() && as == viewer.traced_as;
+  viewer.traced_as = as;
+  if (continues)
+    viewer.pictures.ContinueTrace(viewer.scene.Shared(), viewer.SettingsOfView());
+  else
+    viewer.pictures.StartTrace(viewer.scene.Shared(), viewer.SettingsOfView());
+  viewer.pictures.HideLive();
+  viewer.overlays.quad = true;
+  viewer.notices.Tell(continues ? "rendering continues where it was stopped" : "rendering");
+  viewer.notices.RedrawLines();
+}
+
+void ToggleLive(ViewerState& viewer, std::optional<RenderMode> mode) {
+  if (viewer.pictures.IsLive() && viewer.pictures.LiveMode() == mode)
+    viewer.pictures.HideLive();
+  else
+    viewer.pictures.ShowLive(mode);
+  viewer.notices.RedrawLines();
+  const std::string what = NameOf(mode.value_or(viewer.settings.render.mode));
+  if (!viewer.pictures.IsLive()) return viewer.notices.Tell("live rendering off");
+  viewer.pictures.Update(viewer.scene.Shared(), viewer.SettingsOfView(), viewer.settings.live_is_endless);
+  const bool is_endless = viewer.pictures.Live()->Settings().budget.is_endless;
+  viewer.notices.Tell("live rendering, mode " + what + (is_endless ? ", until stopped" : ""));
+}
+
+void ShowLayer(ViewerState& viewer, std::optional<RenderMode> mode) {
+  if (mode ? !viewer.pictures.IsLive() || viewer.pictures.LiveMode() != mode : viewer.pictures.IsLive())
+    ToggleLive(viewer, mode ? mode : viewer.pictures.LiveMode());
+}
+
+void ToggleDenoising(ViewerState& viewer) {
+  const bool is_on = viewer.settings.render.denoise;
+  ChangeOption(viewer, "denoise", is_on ? "" : "on");
+  if (viewer.settings.render.denoise == is_on) return;  // a message says why
+  viewer.notices.Tell(is_on ? "denoising off" : "denoising on: an image is filtered once it has all its samples");
+}
+
+void TakeEndedJobs(ViewerState& viewer) {
+  if (const RenderJob* job = viewer.pictures.TakeEnded()) SaveEnded(viewer, *job);
+  if (const RenderJob* job = viewer.pictures.TakeEndedLive()) TellEndedLive(viewer, *job);
+}
+
+void CompareAccelerators(ViewerState& viewer) {
+  viewer.accelerators.Begin(viewer.scene.Shared(), viewer.settings.accelerator, viewer.SettingsOfView());
+  viewer.notices.Tell("comparing accelerators");
+}
+
+void StopComparingAccelerators(ViewerState& viewer) {
+  viewer.accelerators.Stop();
+  viewer.notices.Tell("comparing stops after the accelerator that is being built");
+}
+
+}  // namespace ray

@@ -1,0 +1,174 @@
+#include "source/view/commands/Scenes.h"
+
+#include <utility>
+
+#include "source/view/commands/Showing.h"
+#include "source/view/edit/SceneFiles.h"
+
+namespace ray {
+namespace {
+
+std::shared_ptr<const LoadedScene> Load(const std::string& file, const ViewerSettings& settings) {
+  return std::make_shared<LoadedScene>(file, settings.parse, settings.accelerator);
+}
+
+void MakeFaces(ViewerState& viewer) {
+  viewer.pictures.SetEncoding({viewer.settings.render.srgb, viewer.settings.render.quantization});
+  viewer.scene.MakeFaces(viewer.settings.render);
+}
+
+/// Those of the scene's own; throws where they cannot be.
+void TakeSettings(ViewerState& viewer, const Scene& scene) {
+  const auto settings = viewer.host.SettingsWith(scene);
+  if (!settings) return;
+  viewer.settings.render = settings->render;
+  viewer.settings.live_is_endless = settings->live_is_endless;
+}
+
+/// The scene from the disk, or as it is edited.
+void Reload(ViewerState& viewer) {
+  try {
+    auto scene = Load(viewer.settings.scene, viewer.settings);
+    TakeSettings(viewer, scene->parsed.scene);
+    const bool showed_nothing = viewer.scene.world().Instances().empty();
+    TakeScene(viewer, std::move(scene));
+    if (showed_nothing) viewer.navigator.Go(viewer.scene.Parsed().camera);
+    viewer.notices.Tell("scene reloaded" + viewer.NotesAfterMessage());
+  } catch (const std::exception& error) {
+    // The scene that is shown stays until the new one can be read.
+    TellProblems(viewer, viewer.settings.scene, error);
+  }
+}
+
+}  // namespace
+
+void TakeScene(ViewerState& viewer, std::shared_ptr<const LoadedScene> scene) {
+  viewer.scene.Take(std::move(scene));
+  viewer.selection = {};
+  viewer.accelerators.Forget();
+  viewer.navigator.SetBox(viewer.scene.Parsed().root.bounds);
+  MakeFaces(viewer);
+  viewer.watch.Watch(viewer.scene.Parsed().files);
+  viewer.rays.ForgetAll();
+  viewer.section_drawing.reset();
+  viewer.pictures.Touch();
+  viewer.notices.RedrawLines();
+}
+
+void ChangeOption(ViewerState& viewer, const std::string& name, const std::string& value) {
+  // What is saved at its end is to be the picture of one command.
+  if (viewer.pictures.IsUnsaved()) {
+    viewer.option_problem = "an image is being rendered; Escape stops it";
+    return viewer.notices.Tell(viewer.option_problem);
+  }
+  ViewerSettings changed;
+  try {
+    changed = viewer.host.ChangeOption(name, value);
+  } catch (const std::exception& error) {
+    viewer.option_problem = error.what();
+    return viewer.notices.Tell(viewer.option_problem);
+  }
+  viewer.option_problem.clear();
+  changed.parse.edited = viewer.settings.parse.edited;
+  ++viewer.options_number;
+  const bool is_read_again =
+      changed.parse != viewer.settings.parse || changed.accelerator != viewer.settings.accelerator;
+  viewer.settings.parse = changed.parse;
+  viewer.settings.accelerator = changed.accelerator;
+  viewer.settings.render = changed.render;
+  viewer.settings.live_is_endless = changed.live_is_endless;
+  if (is_read_again) return Reload(viewer);
+  MakeFaces(viewer);
+  viewer.pictures.Touch();
+  viewer.notices.RedrawLines();
+  viewer.notices.Tell("-" + name + " " + value);
+}
+
+std::string ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts) {
+  const bool was_in_place = !viewer.HasMovedCamera();
+  ViewerSettings as_edited = viewer.settings;
+  as_edited.parse.edited = std::move(texts);
+  try {
+    auto scene = std::make_shared<const LoadedScene>(viewer.settings.scene, as_edited.parse, as_edited.accelerator);
+    TakeSettings(viewer, scene->parsed.scene);
+    viewer.settings.parse.edited = as_edited.parse.edited;
+    TakeScene(viewer, std::move(scene));
+  } catch (const SceneErrors& errors) {
+    return errors.All().empty() ? errors.what() : errors.All().front().message;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  // Whoever looks through the scene's camera goes with it.
+  if (was_in_place && viewer.HasMovedCamera()) viewer.navigator.Go(viewer.scene.Parsed().camera);
+  return {};
+}
+
+std::string SaveScene(ViewerState& viewer, const std::string& file, const std::string& text) {
+  std::string problem = viewer.host.SaveScene(file, text);
+  viewer.watch.Watch(viewer.scene.Parsed().files);  // it is known already
+  return problem;
+}
+
+void ReadFromDisk(ViewerState& viewer) {
+  if (!viewer.editor.MayLose(viewer, "reload the scene")) return;
+  auto edited = std::exchange(viewer.settings.parse.edited, nullptr);
+  const int number = viewer.scene.Number();
+  Reload(viewer);
+  if (viewer.scene.Number() == number)
+    viewer.settings.parse.edited = std::move(edited);  // what is shown is still what was edited
+  else
+    viewer.editor.Forget();
+}
+
+void TellOfChangedFiles(ViewerState& viewer) {
+  if (!viewer.editor.HasUnsaved()) return ReadFromDisk(viewer);
+  viewer.notices.Tell("the scene has changed on the disk; your changes stay, Control+Shift+S saves them as a copy");
+}
+
+void TellProblems(ViewerState& viewer, const std::string& file, const std::exception& error) {
+  viewer.scene.KeepMistakes(file, error);
+  viewer.host.Print(error.what());
+  const std::string text = error.what();
+  viewer.notices.Tell(text.substr(0, text.find('\n')));
+}
+
+void OpenScene(ViewerState& viewer, const std::string& file) {
+  if (ReferenceImage picture = viewer.host.ReadPicture(file)) {
+    viewer.pictures.SetReference(std::move(picture));
+    return viewer.notices.Tell("the reference is " + file);
+  }
+  if (!viewer.editor.MayLose(viewer, "open another scene")) return;
+  try {
+    ViewerSettings unedited = viewer.settings;
+    unedited.parse.edited.reset();
+    auto scene = Load(file, unedited);
+    TakeSettings(viewer, scene->parsed.scene);
+    viewer.settings.scene = file;
+    viewer.settings.parse.edited.reset();
+    viewer.editor.Forget();
+    viewer.bookmarks = Bookmarks(file);
+    viewer.pictures.ForgetTrace();
+    viewer.flat.Hide();
+    TakeScene(viewer, std::move(scene));
+    viewer.navigator.SetPivot({});
+    viewer.navigator.Go(viewer.scene.Parsed().camera);
+    viewer.notices.Tell("opened " + file + viewer.NotesAfterMessage());
+  } catch (const std::exception& error) {
+    TellProblems(viewer, file, error);
+  }
+}
+
+void OpenNeighbor(ViewerState& viewer, int by) {
+  const std::string file = NeighborOf(viewer.settings.scene, ScenesBeside(viewer.settings.scene), by);
+  if (file.empty()) return viewer.notices.Tell("there is no other scene in the folder");
+  OpenScene(viewer, file);
+}
+
+void ToggleSceneList(ViewerState& viewer) {
+  viewer.lists_scenes = !viewer.lists_scenes;
+  if (viewer.lists_scenes && !viewer.shows_panels) ShowPanels(viewer, viewer.panels->Look());
+  if (viewer.shows_panels)
+    viewer.notices.Tell(viewer.lists_scenes ? "scenes to open are in the panels" : "the list of scenes is closed");
+}
+
+}  // namespace ray

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "source/view/ViewerState.h"
+
+/// The cross section beside the view.
+namespace ray {
+
+void ToggleSection(ViewerState& viewer);
+void NextPlane(ViewerState& viewer);
+void MoveSection(ViewerState& viewer, int by);
+/// Makes its drawing again where that is due; it is shown.
+void MakeSection(ViewerState& viewer);
+/// What is under the pointer; empty where that is not on the cross section.
+std::string TextOfSection(const ViewerState& viewer);
+
+}  // namespace ray

@@ -1,0 +1,138 @@
+#include "source/view/commands/Showing.h"
+
+#include <algorithm>
+
+#include "source/view/commands/FlatImage.h"
+#include "source/view/commands/Sections.h"
+
+namespace ray {
+namespace {
+
+std::string BoxesOf(const ViewerState& viewer) {
+  return BoxesInWords(viewer.overlays, viewer.scene.world(), *viewer.scene.Loaded().accelerator, viewer.scene.Space());
+}
+
+}  // namespace
+
+void Toggle(ViewerState& viewer, const char* what, bool SpaceOverlays::*shows) {
+  viewer.overlays.*shows = !(viewer.overlays.*shows);
+  viewer.notices.RedrawLines();
+  viewer.notices.Tell(std::string(what) + (viewer.overlays.*shows ? " on" : " off"));
+}
+
+void Peel(ViewerState& viewer) {
+  if (viewer.shows_help) return ToggleHelp(viewer);
+  if (viewer.flat.IsShown()) return ToggleFlat(viewer);
+  if (viewer.selection.pick) {
+    viewer.selection.pick.reset();
+    ChooseNode(viewer, {});
+    return viewer.notices.Tell("pick forgotten");
+  }
+  if (viewer.section.IsShown()) return ToggleSection(viewer);
+  if (!viewer.scene.Mistakes().empty() && viewer.scene.MistakenFile() != viewer.settings.scene) {
+    viewer.scene.ForgetMistakes();
+    return viewer.notices.Tell("mistakes of " + viewer.scene.MistakenFile() + " forgotten");
+  }
+  viewer.notices.Tell(viewer.pictures.StopTrace() || viewer.pictures.StopLive() ? "rendering is being stopped"
+                                                                                : "nothing to close; Q quits");
+}
+
+void Quit(ViewerState& viewer) {
+  if (!viewer.editor.MayLose(viewer, "quit")) return;
+  if (!viewer.pictures.IsTracing() || viewer.was_asked_to_quit) {
+    viewer.is_closed = true;
+    return;
+  }
+  viewer.was_asked_to_quit = true;
+  viewer.notices.Tell("still rendering; Q, or closing the window, once more quits without saving");
+}
+
+void ToggleLights(ViewerState& viewer) {
+  viewer.overlays.lights = !viewer.overlays.lights;
+  viewer.notices.RedrawLines();
+  if (!viewer.overlays.lights) return viewer.notices.Tell("lights off");
+  int lights = 0, in_view = 0, far = 0;
+  const DrawingSize view = viewer.layout().view;
+  for (const auto& light : viewer.scene.Parsed().lights) {
+    if (light->IsBlack()) continue;
+    ++lights;
+    if (light->Bound().is_infinite) {
+      ++far;
+      continue;
+    }
+    const auto pixel = PixelOf(viewer.navigator.camera(), light->Bound().center, view);
+    in_view += pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < view.width && pixel->y < view.height;
+  }
+  const int outside = lights - far - in_view;
+  viewer.notices.Tell(std::to_string(lights) + (lights == 1 ? " light" : " lights") +
+                      (outside > 0 ? ", " + std::to_string(outside) + " out of view; F frames them" : ""));
+}
+
+void CycleBoxes(ViewerState& viewer) {
+  using Boxes = SpaceOverlays::Boxes;
+  Boxes& boxes = viewer.overlays.boxes;
+  boxes = boxes == Boxes::none ? Boxes::nodes : boxes == Boxes::nodes ? Boxes::accelerator : Boxes::none;
+  viewer.notices.RedrawLines();
+  viewer.notices.Tell(BoxesOf(viewer));
+}
+
+void ChangeBoxLevel(ViewerState& viewer, int by) {
+  if (viewer.overlays.boxes == SpaceOverlays::Boxes::none) viewer.overlays.boxes = SpaceOverlays::Boxes::nodes;
+  constexpr int deepest = 1 << 20;
+  viewer.overlays.box_level = std::clamp(viewer.overlays.box_level + by, all_levels, deepest);
+  viewer.notices.RedrawLines();
+  viewer.notices.Tell(BoxesOf(viewer));
+}
+
+void ToggleHelp(ViewerState& viewer) {
+  viewer.shows_help = !viewer.shows_help;
+  viewer.panels->SetParts({viewer.shows_panels, viewer.shows_help});
+  viewer.notices.Tell(viewer.shows_help ? "help; type to search it, Escape closes it" : "help closed");
+}
+
+void ShowPanels(ViewerState& viewer, const PanelSettings& look) {
+  viewer.panels->SetLook(look);
+  viewer.shows_panels = true;
+  viewer.panels->SetParts({viewer.shows_panels, viewer.shows_help});
+  viewer.section_drawing.reset();
+  viewer.notices.RedrawLines();
+}
+
+void TogglePanels(ViewerState& viewer) {
+  if (viewer.shows_panels) {
+    viewer.shows_panels = false;
+    viewer.panels->SetParts({viewer.shows_panels, viewer.shows_help});
+    viewer.notices.RedrawLines();
+    return viewer.notices.Tell("panels off");
+  }
+  ShowPanels(viewer, viewer.panels->Look());
+  viewer.notices.Tell("panels; Tab hides them");
+}
+
+void SetPanelLook(ViewerState& viewer, const PanelSettings& look) {
+  viewer.panels->SetLook(look);
+  viewer.section_drawing.reset();
+  viewer.notices.Redraw();
+}
+
+void ChooseNode(ViewerState& viewer, std::optional<std::size_t> node) {
+  viewer.selection.node = node;
+  viewer.notices.RedrawLines();
+}
+
+void PickAt(ViewerState& viewer, const R2::Point& position) {
+  const RenderSettings settings = viewer.SettingsOfPicture();
+  if (position.x < 0 || position.y < 0 || position.x >= settings.width || position.y >= settings.height) return;
+  viewer.selection.pick = PickPixel(viewer.scene.world(), *viewer.scene.Loaded().accelerator, settings,
+                                    static_cast<int>(position.x), static_cast<int>(position.y));
+  for (const std::string& line : viewer.selection.pick->text) viewer.host.Print(line);
+  viewer.selection.node.reset();
+  const auto& nodes = viewer.scene.world().Nodes();
+  for (std::size_t i = 0; viewer.selection.pick->point && i < nodes.size(); ++i)
+    if (nodes[i].instance == static_cast<std::int32_t>(viewer.selection.pick->instance)) viewer.selection.node = i;
+  viewer.notices.RedrawLines();
+}
+
+void FocusUnderPointer(ViewerState& viewer) { viewer.editor.FocusOn(viewer, viewer.PointAt(viewer.pointer)); }
+
+}  // namespace ray

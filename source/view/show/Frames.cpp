@@ -1,0 +1,172 @@
+#include "source/view/show/Frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "R1/Elementary.h"
+#include "source/render/LayerColors.h"
+#include "source/view/commands/Sections.h"
+#include "source/view/show/Labels.h"
+#include "source/view/show/LinesInSpace.h"
+
+namespace ray {
+namespace {
+
+R2::Color InverseOf(const R2::Color& c) { return {1 - c.r, 1 - c.g, 1 - c.b}; }
+
+bool IsLight(RenderMode mode) {
+  return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::albedo;
+}
+
+/// The image of key S where it hangs in space; nothing where it does not.
+std::optional<FrameState::Picture> QuadInSpace(const ViewerState& viewer, const Exposure& exposure) {
+  const auto quad = viewer.Quad();
+  if (!quad) return {};
+  FrameState::Picture picture;
+  picture.frame = &viewer.pictures.Trace()->frame();
+  picture.number = viewer.pictures.TraceNumber();
+  picture.rows = viewer.pictures.Trace()->RowsDone();
+  picture.exposure = exposure;
+  picture.corners.emplace();
+  for (std::size_t i = 0; i < quad->Corners().size(); ++i)
+    (*picture.corners)[i] = viewer.scene.Space().At(quad->Corners()[i]);
+  return picture;
+}
+
+/// The image that covers the view, live or flat; nothing where none does.
+std::optional<FrameState::Picture> CoveringPicture(const ViewerState& viewer) {
+  FrameState::Picture picture;
+  picture.exposure = {R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb};
+  picture.place = viewer.PlaceOfPicture();
+  if (auto compared = viewer.pictures.Compared()) {
+    picture.image = std::move(compared);
+    if (viewer.pictures.ShowsEncodedDifference()) picture.exposure.srgb = false;
+    if (viewer.pictures.ShowsFalseColors()) picture.exposure = {};
+    return picture;
+  }
+  if (viewer.FlatJob() && !viewer.pictures.IsLive()) {
+    picture.frame = &viewer.pictures.Trace()->frame();
+    picture.number = viewer.pictures.TraceNumber();
+    picture.rows = viewer.pictures.Trace()->RowsDone();
+    return picture;
+  }
+  if (!viewer.pictures.ShownLive()) return {};
+  const RenderJob& job = *viewer.pictures.ShownLive();
+  const RenderMode mode = job.Settings().mode;
+  if (IsLight(mode)) {
+    picture.frame = &job.frame();
+    picture.number = viewer.pictures.ShownLiveNumber();
+  } else {
+    // Colors that stand for something else than light: as image files show them.
+    picture.image = std::make_shared<const R2::Image>(LayerAsShown(mode, *TracedPictures::ImageOf(job.frame())));
+    picture.exposure = {};
+  }
+  return picture;
+}
+
+/// What the flat image needs of a frame: the slider, and what is beside it; and nothing in space.
+void ShowFlat(const ViewerState& viewer, FrameState& shown) {
+  if (!viewer.FlatJob() || !shown.picture) return;
+  static const auto no_lines = std::make_shared<const Lines>();
+  shown.lines = no_lines;
+  shown.marks = shown.lit = nullptr;
+  shown.shows_edges = false;
+  shown.split = static_cast<int>(std::lround(viewer.flat.Slider() * shown.view.width));
+  if (!viewer.pictures.Reference()) return;
+  shown.beside = FrameState::Picture{};
+  shown.beside->image = viewer.pictures.Reference();
+  shown.beside->exposure = shown.picture->exposure;
+  shown.beside->place = shown.picture->place;
+}
+
+/// The distances of the nearest and the farthest surface that the preview shows, as mode zbuffer or depth needs them.
+ZBufferRange DepthsOfPreview(const ViewerState& viewer) {
+  const ZBufferRange& given = viewer.settings.render.trace.zbuffer;
+  if (viewer.settings.render.mode == RenderMode::zbuffer && !given.IsOfPicture()) return given;
+  constexpr int across = 64;  // rays each way: what is between them is hardly nearer or farther
+  const Camera camera = viewer.CameraOfPicture();
+  ZBufferRange range{R3::infinity, 0};
+  Workspace workspace;
+  for (int row = 0; row < across; ++row)
+    for (int column = 0; column < across; ++column) {
+      const double x = (column + 0.5) / across, y = (row + 0.5) / across;
+      const R3::Ray ray = camera.Through(x * viewer.SizeOfPreview().width, y * viewer.SizeOfPreview().height,
+                                         viewer.SizeOfPreview().width, viewer.SizeOfPreview().height);
+      const auto hit = viewer.scene.Loaded().accelerator->Intersect(ray, workspace);
+      if (!hit) continue;
+      const double distance = hit->t * Length(ray.direction);
+      range = {std::min(range.near, distance), std::max(range.far, distance)};
+    }
+  return range.far > 0 ? range : ZBufferRange{0, 1};
+}
+
+/// The background in the colors that the tracer's mode gives it.
+R2::Color BackgroundOfPreview(const ViewerState& viewer) {
+  switch (viewer.settings.render.mode) {
+    case RenderMode::depth:
+    case RenderMode::uv:
+    case RenderMode::normal_color:
+    case RenderMode::uv_color:
+    case RenderMode::zbuffer:
+      return {};
+    case RenderMode::normal:
+      return {0.5, 0.5, 0.5};
+    case RenderMode::whitted:
+    case RenderMode::path:
+    case RenderMode::heat:
+    case RenderMode::rays:
+    case RenderMode::albedo:
+    case RenderMode::id:
+    case RenderMode::flat:
+    case RenderMode::gooch:
+    case RenderMode::toon:
+    case RenderMode::hatching:
+      break;
+  }
+  return viewer.scene.Parsed().background;
+}
+
+}  // namespace
+
+FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
+  FrameState shown;
+  shown.size = viewer.size;
+  shown.view = viewer.layout().view;
+  if (viewer.section.IsShown()) {
+    MakeSection(viewer);
+    shown.section_size = viewer.section_size;
+    shown.section = {viewer.section_drawing, &viewer.section_drawing->lines};
+  }
+  const Exposure exposure{R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb};
+  const R2::Color background = exposure.factor * BackgroundOfPreview(viewer);
+  shown.background = exposure.srgb ? EncodeSrgb(background) : background;
+  shown.seen_from = ViewFrom(viewer.CameraOfPicture(), viewer.scene.Space(), viewer.SizeOfPreview(), exposure);
+  if (ShowsDepth(viewer.settings.render.mode)) {
+    const ZBufferRange depths = DepthsOfPreview(viewer);
+    shown.seen_from.depths = {static_cast<float>(depths.near / viewer.scene.Space().radius),
+                              static_cast<float>(depths.far / viewer.scene.Space().radius)};
+  }
+  shown.clip_from_drawing =
+      ClipFromDrawing(viewer.CameraOfPicture(), viewer.scene.Space(), BoxOfDrawing(viewer), viewer.SizeOfPreview());
+  shown.faces = viewer.scene.Faces();
+  shown.shows_faces = viewer.overlays.faces;
+  shown.shows_edges = viewer.overlays.edges;
+  shown.shows_shadows = viewer.overlays.shadows && viewer.settings.render.trace.shadows;
+  shown.edge_color = Shown(InverseOf(shown.background));
+  shown.lines = std::move(lines);
+  shown.marks = std::make_shared<const Lines>(MakeMarks(viewer));
+  if (viewer.rays.Look().chosen)
+    shown.lit =
+        std::make_shared<const Lines>(ChosenRay(*viewer.rays.Pixel(), viewer.scene.Space(), viewer.rays.Look()));
+  shown.quad = QuadInSpace(viewer, exposure);
+  shown.picture = CoveringPicture(viewer);
+  ShowFlat(viewer, shown);
+  shown.line_width = std::max(1, static_cast<int>(std::lround(viewer.scale)));  // as the density of the screen asks for
+  shown.labels = MakeLabels(viewer);
+  if (!shown.labels.empty() || viewer.shows_panels || viewer.shows_help)
+    shown.panels = viewer.panels->Draw(viewer, shown.labels);
+  return shown;
+}
+
+}  // namespace ray
