@@ -47,11 +47,13 @@ bool PassRunner::IsAtTarget(int block) const {
 PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock::time_point> pause_at) {
   targets_ = &targets;
   pause_at_ = pause_at;
-  progress_ = looks_begun_ = 0;
+  progress_ = tiles_begun_ = 0;
   least_progress_ = targets.places.empty() ? 1 : least_looks;
   pixels_done_ = 0;
+  std::vector<int> done;
   for (int i = 0; i < work_.film.Blocks(); ++i)
-    if (IsDone(i)) pixels_done_ += work_.film.PixelsOf(i).Area();
+    if (IsDone(i)) pixels_done_ += work_.film.PixelsOf(i).Area(), done.push_back(i);
+  if (work_.blocks_done) work_.blocks_done(done);
   // The arena bounds this render alone, others may run beside it; only more threads than usual need permission.
   std::optional<tbb::global_control> permission;
   if (threads_ > tbb::info::default_concurrency())
@@ -65,6 +67,13 @@ PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock:
   return IsStopped() ? End::stopped : End::paused;
 }
 
+/// The tile to be done when the i-th of them is begun. What is done of first looks when they are broken off is to show
+/// all of the picture, whichever thread came when; who wants rows is to get one after another.
+int PassRunner::NextTile(int i) {
+  if (!targets_->places.empty()) return tiles_.Spread(tiles_begun_++);
+  return work_.blocks_done ? tiles_begun_++ : i;
+}
+
 void PassRunner::RunTile(int i) {
   if (IsStopped() || IsPauseDue()) return;
   Worker& worker = workers_.local();
@@ -72,15 +81,17 @@ void PassRunner::RunTile(int i) {
   state.rays = {};
   state.stop = work_.stop;
   std::int64_t pixels = 0;
-  // What is done of first looks when they are broken off is to show all of the picture, whichever thread came when.
-  for (const int block : tiles_.BlocksOf(targets_->places.empty() ? i : tiles_.Spread(looks_begun_++))) {
+  std::vector<int> done;
+  for (const int block : tiles_.BlocksOf(NextTile(i))) {
     if (IsDone(block)) continue;
     if (!(TargetOf(block) > 0 ? Advance(block, worker) : Look(block, worker))) break;
     pixels += work_.film.PixelsOf(block).Area();
+    done.push_back(block);
   }
   const std::lock_guard lock(mutex_);
   rays_ += state.rays;
   pixels_done_ += pixels;
+  if (work_.blocks_done && !done.empty()) work_.blocks_done(done);
   if (work_.tile_done) work_.tile_done(pixels_done_, rays_);
 }
 

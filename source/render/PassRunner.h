@@ -8,6 +8,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "source/integrate/RayCounts.h"
@@ -27,6 +28,9 @@ struct PassWork {
   /// Told after each tile, by one thread at a time: pixels at their targets, and rays of all passes. May be empty.
   std::function<void(std::int64_t pixels, const RayCounts& rays)> tile_done;
   std::vector<bool> left_alone{};  // blocks of other parts; empty where all are rendered
+  /// Told of blocks that are at their targets, each once in a Run, by one thread at a time. May be empty; else they are
+  /// begun in rows from the bottom.
+  std::function<void(std::span<const int> blocks)> blocks_done{};
 };
 
 /// Takes the samples that the blocks of a film are due, in tiles shared out to threads. The film is the same, bit for
@@ -68,6 +72,7 @@ class PassRunner {
     TraceState state;
     SampleBatch batch;
   };
+  int NextTile(int i);
   bool Advance(int block, Worker& worker);
   bool Look(int block, Worker& worker);
 
@@ -79,7 +84,7 @@ class PassRunner {
   // Since Run began, and before it may pause: steps of blocks.
   std::atomic<int> progress_ = 0;
   int least_progress_ = 1;
-  std::atomic<int> looks_begun_ = 0;  // since Run began: tiles of them
+  std::atomic<int> tiles_begun_ = 0;  // since Run began
   tbb::enumerable_thread_specific<Worker> workers_;
   std::mutex mutex_;  // guards the counts below and tile_done; a block belongs to one tile and needs no guard
   std::int64_t pixels_done_ = 0;  // at their targets

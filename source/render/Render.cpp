@@ -18,15 +18,6 @@
 namespace ray {
 namespace {
 
-/// The image so far. Costs are shown by colors.
-R2::Image ImageOf(const Film& film, const RenderSettings& settings) {
-  R2::Image image = film.Picture(settings.quantization);
-  if (!ShowsCosts(settings.mode)) return image;
-  for (int y = 0; y < image.Height(); ++y)
-    for (int x = 0; x < image.Width(); ++x) image.Set(x, y, HeatColor(image.At(x, y).r));
-  return image;
-}
-
 /// The blocks of other parts; empty where the whole image is rendered.
 std::vector<bool> BlocksOfOthers(const RenderSettings& settings, const Film& film) {
   std::vector<bool> others;
@@ -87,10 +78,11 @@ class Job {
                  [this](std::int64_t pixels, const RayCounts& rays) {
                    if (monitor_.tile_done) monitor_.tile_done(progress_.Of(pixels, time_.Seconds(), rays.Total()));
                  },
-                 BlocksOfOthers(settings, film_)}) {}
+                 BlocksOfOthers(settings, film_), BlockWatch()}) {}
 
   RenderResult Run() {
     if (monitor_.resume) Resume(monitor_.resume(film_));
+    if (monitor_.blocks_done) schedule_.SkipToRound();
     std::optional<Stop> stop;
     while (true) {
       const PassRunner::End end = RunPass();
@@ -140,6 +132,11 @@ class Job {
   }
 
  private:
+  std::function<void(std::span<const int>)> BlockWatch() {
+    if (!monitor_.blocks_done) return {};
+    return [this](std::span<const int> blocks) { monitor_.blocks_done(film_, blocks); };
+  }
+
   void Resume(RenderState&& state) {
     for (int i = 0; i < film_.Blocks(); ++i) film_[i] = std::move(state.blocks[static_cast<std::size_t>(i)]);
     schedule_.Resume(std::move(state.schedule));
@@ -241,6 +238,14 @@ RenderResult RenderWithoutFlare(const World& world, const Accelerator& accelerat
 }
 
 }  // namespace
+
+R2::Image ImageOf(const Film& film, const RenderSettings& settings) {
+  R2::Image image = film.Picture(settings.quantization);
+  if (!ShowsCosts(settings.mode)) return image;
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) image.Set(x, y, HeatColor(image.At(x, y).r));
+  return image;
+}
 
 RenderResult Render(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                     const RenderMonitor& monitor) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,15 @@ struct RenderMonitor {
   /// mode, which changes no bit of the result (but of heat, where an accelerator remembers the last hit: each pass
   /// begins without).
   std::function<void(const R2::Image&, std::uint32_t)> pass_done;
+  /// Sees the film, and which more of its blocks have all the samples of the pass that runs; at its beginning those
+  /// that have them from a state to resume from. Called from any thread, one at a time, while others take samples of
+  /// other blocks. May be empty; else blocks are begun in rows from the bottom, and passes are left out that nothing is
+  /// decided after, which changes no bit of the result.
+  std::function<void(const Film&, std::span<const int> blocks)> blocks_done;
 };
+
+/// The image that a film of these settings has so far. Costs are shown by colors.
+R2::Image ImageOf(const Film& film, const RenderSettings& settings);
 
 /// What a render gives.
 struct RenderResult {

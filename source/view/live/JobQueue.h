@@ -14,7 +14,7 @@ class JobQueue {
   /// Abandons the current job, if there is one, for a new one.
   RenderJob& Start(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, RenderJob::Order order,
                    int first_stride = 8);
-  /// Continues the current job, which was canceled with rows done, by a new one of the same settings.
+  /// Continues the current job, which was canceled, by a new one of the same settings.
   RenderJob& Continue(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
   /// Cancels the current job; then there is none.
   void Abandon();

@@ -13,12 +13,12 @@
 #include <new>
 
 #include "source/view/live/CoarsePasses.h"
+#include "source/view/live/FinishedRows.h"
 
 namespace ray {
 namespace {
 
 constexpr int most_apart = 64;     // pixels of a first pass
-constexpr int band_height = 32;    // rows, where a filter is wider than a pixel and so rows share samples
 constexpr int unknown_stride = 8;  // before any rate was measured
 
 /// So that drawing need not wait for a processor where there are few: beside a thread that draws this one, and those it
@@ -37,12 +37,14 @@ RenderSettings ForJob(RenderSettings settings, RenderJob::Order order) {
   return settings;
 }
 
-/// Rows that are rendered together. What a pixel costs may depend on those before it in its block of the film, so heat
-/// needs whole blocks, which a wide filter's apron does not give.
-int BandHeight(const RenderSettings& settings) {
-  const bool is_heat = ShowsCosts(settings.mode), is_wide = settings.filter != FilterKind::box;
-  if (is_heat) return is_wide ? settings.height : Film::block_side;
-  return is_wide ? band_height : 1;
+/// Whether what blocks show is final once they have their samples: else neighboring pixels decide who gets some, those
+/// around fill pixels that are left out, or the whole image is filtered.
+bool HasFinalBlocks(const RenderSettings& settings) {
+  return !SamplesWhereNeighborsDiffer(settings) && !IsSubsampled(settings) && !settings.denoise;
+}
+
+bool HasSamples(const RenderState& state) {
+  return std::ranges::any_of(state.blocks, [](const Film::Block& block) { return block.Samples() > 0; });
 }
 
 }  // namespace
@@ -51,11 +53,11 @@ RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSetti
                      int first_stride)
     : RenderJob(std::move(scene), settings, order, first_stride, {}) {}
 
-RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Rows before)
+RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Stopped before)
     : RenderJob(std::move(scene), settings, Order::rows, 1, std::move(before)) {}
 
 RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
-                     int first_stride, std::optional<Rows> before)
+                     int first_stride, std::optional<Stopped> before)
     : before_(std::move(before)),
       start_(Clock::now() - std::chrono::duration_cast<Clock::duration>(
                                 std::chrono::duration<double>(before_ ? before_->seconds : 0))),
@@ -78,8 +80,8 @@ std::string RenderJob::Failure() const { return HasEnded() ? failure_ : std::str
 
 const RenderResult* RenderJob::Result() const { return IsComplete() ? &*result_ : nullptr; }
 
-const std::optional<RenderJob::Rows>& RenderJob::Canceled() const {
-  static const std::optional<Rows> none;
+const std::optional<RenderJob::Stopped>& RenderJob::Canceled() const {
+  static const std::optional<Stopped> none;
   return HasEnded() && !result_ && failure_.empty() ? canceled_ : none;
 }
 
@@ -170,76 +172,39 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
 
 RenderResult RenderJob::RenderAll(const Integrator& integrator, const RenderSettings& settings,
                                   const RenderMonitor& monitor) const {
-  // Filters of noise are guided by what the accelerator finds.
-  if (settings.denoise) return Render(scene_->world, *scene_->accelerator, settings, monitor);
+  // Filters of noise are guided by what the accelerator finds, and flares are of lights that it sees.
+  if (settings.denoise || settings.flare > 0) return Render(scene_->world, *scene_->accelerator, settings, monitor);
   return Render(scene_->world, integrator, settings, monitor);
 }
 
-std::optional<RenderResult> RenderJob::RenderAtOnce(const Integrator& integrator) {
+std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) {
+  RenderSettings settings = settings_;
+  settings.tile_size = Film::block_side;  // so that all threads have some of a row
+  settings.wants_passes = false;
   RenderMonitor monitor;
   monitor.stop = &stop_;
   monitor.tile_done = [&](const RenderProgress& progress) {
-    rays_ = progress.rays;
+    if (progress.phase == RenderPhase::samples) rays_ = progress.rays;
     share_ = static_cast<double>(progress.done) / static_cast<double>(progress.total);
   };
-  RenderResult result = RenderAll(integrator, settings_, monitor);
+  monitor.save = [&](const RenderState& state) {
+    if (HasSamples(state)) canceled_ = Stopped{state, 0};
+  };
+  if (before_) monitor.resume = [&](const Film&) { return std::move(before_->state); };
+  FinishedRows rows(EmptyFilmOf(settings));
+  if (HasFinalBlocks(settings))
+    monitor.blocks_done = [&](const Film& film, std::span<const int> blocks) {
+      const PixelRectangle strip = rows.Add(blocks);
+      if (strip.Area() == 0) return;
+      Show(ImageOf(film.Cut(strip), settings), strip.y0 - film.Region().y0);
+      rows_done_.store(strip.y1 - film.Region().y0, std::memory_order_release);
+    };
+  RenderResult result = RenderAll(integrator, settings, monitor);
   if (!result.IsComplete()) return {};
   Show(result.image, 0);
   rows_done_.store(result.image.Height(), std::memory_order_release);
   samples_.store(static_cast<int>(std::lround(result.samples.mean)), std::memory_order_release);
   return result;
-}
-
-std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) {
-  // Whether a block goes on depends on its neighbors, so no row is done before all have their first sample.
-  // Where pixels are left out, what is around them fills them; and noise is filtered in the whole image.
-  if (SamplesWhereNeighborsDiffer(settings_) || IsSubsampled(settings_) || settings_.denoise) return RenderAtOnce(integrator);
-  const PixelRectangle region = RegionOf(settings_);
-  const auto samples = static_cast<std::uint32_t>(settings_.samples);
-  const int band = BandHeight(settings_);
-  RenderSettings part_settings = settings_;
-  part_settings.tile_size = Film::block_side;  // a band has few blocks, and all threads are to have some
-  part_settings.wants_passes = false;
-  RenderResult result;
-  result.image = R2::Image(region.Width(), region.Height());
-  int first = region.y0;
-  if (before_) {
-    result.image = before_->image;
-    result.rays = before_->rays;
-    result.planned_samples = before_->planned_samples;
-    first += before_->rows;
-    Show(result.image, 0);
-    NoteRows(before_->rows);
-  }
-  RenderMonitor monitor;
-  monitor.stop = &stop_;
-  monitor.tile_done = [&](const RenderProgress& progress) { rays_ = result.rays.Total() + progress.rays; };
-  for (int bottom = first, top; bottom < region.y1; bottom = top) {
-    top = std::min(region.y1, (bottom / band + 1) * band);
-    part_settings.crop = {region.x0, bottom, region.x1, top};
-    const RenderResult part = Render(scene_->world, integrator, part_settings, monitor);
-    if (!part.IsComplete()) {
-      if (RowsDone() > 0) canceled_ = Rows{std::move(result.image), RowsDone(), result.rays, result.planned_samples, 0};
-      return {};
-    }
-    result.rays += part.rays;
-    result.planned_samples = part.planned_samples;
-    for (int y = 0; y < part.image.Height(); ++y)
-      for (int x = 0; x < part.image.Width(); ++x) result.image.Set(x, bottom - region.y0 + y, part.image.At(x, y));
-    Show(part.image, bottom - region.y0);
-    NoteRows(top - region.y0);
-  }
-  result.pixels_done = result.pixels_total = region.Area();
-  result.samples = {samples, samples, static_cast<double>(samples)};
-  result.block_samples.assign(static_cast<std::size_t>(EmptyFilmOf(settings_).Blocks()), samples);
-  result.passes = {{samples, static_cast<double>(samples), Seconds(), {}}};
-  samples_.store(settings_.samples, std::memory_order_release);
-  return result;
-}
-
-void RenderJob::NoteRows(int rows) {
-  share_ = static_cast<double>(rows) / frame_.Height();
-  rows_done_.store(rows, std::memory_order_release);
 }
 
 void RenderJob::Show(const R2::Image& image, int first) {

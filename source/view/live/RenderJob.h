@@ -20,16 +20,13 @@ class RenderJob {
  public:
   /// coarse_first   pixels 8 apart (or more, see first_stride), then 4, 2 and 1 apart, each traced once; then more
   ///                samples, twice as many pass by pass, until the budget or the count of samples is reached
-  /// rows           row by row from the bottom, each with all its samples; with a filter wider than a pixel in bands;
-  ///                all at once where neighboring pixels decide who gets samples
+  /// rows           in rows of blocks of the film from the bottom, each with all its samples; all at once where
+  ///                neighboring pixels decide who gets samples, or what a pixel shows
   enum class Order { coarse_first, rows };
 
-  /// Rows that a job in order rows had done when it was canceled, for another to go on with.
-  struct Rows {
-    R2::Image image;  // black above the rows
-    int rows = 0;     // from the bottom, >= 1
-    RayCounts rays;
-    std::uint32_t planned_samples = 1;  // see RenderResult
+  /// What a job in order rows had when it was canceled, for another to go on with.
+  struct Stopped {
+    RenderState state;
     double seconds = 0;
   };
 
@@ -40,8 +37,8 @@ class RenderJob {
   RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
             int first_stride = 8);
   /// Continues, in order rows, a job of the same scene and settings; time counts on. The result is that of a job that
-  /// was never canceled, but for the bands of a filter wider than a pixel, some of whose rays count twice.
-  RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Rows before);
+  /// was never canceled.
+  RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Stopped before);
   /// Cancels, and waits for the pixels that were started.
   ~RenderJob();
   RenderJob(const RenderJob&) = delete;
@@ -54,8 +51,7 @@ class RenderJob {
   bool IsComplete() const;
   /// Why it failed; empty when it did not. Once it HasEnded.
   std::string Failure() const;
-  /// The finished picture, the same bit for bit as Render's; null unless IsComplete. In order rows it has no
-  /// error estimate, and counts all rays traced, some twice where bands share a wide filter's samples.
+  /// The finished picture, the same bit for bit as Render's; null unless IsComplete.
   const RenderResult* Result() const;
 
   /// Of the crop, or of the whole.
@@ -69,8 +65,8 @@ class RenderJob {
   int Stride() const { return stride_.load(std::memory_order_acquire); }
   /// Samples per pixel that the frame shows, where it is whole; their mean once it is complete, the most before.
   int Samples() const { return samples_.load(std::memory_order_acquire); }
-  /// What a job in order rows had done when it was canceled; nothing where that was no row, or it did not end so.
-  const std::optional<Rows>& Canceled() const;
+  /// What a job in order rows had when it was canceled; nothing where that was no sample, or it did not end so.
+  const std::optional<Stopped>& Canceled() const;
   std::uint64_t Rays() const { return rays_.load(std::memory_order_relaxed); }
   /// Since the start, until the end.
   double Seconds() const;
@@ -87,20 +83,17 @@ class RenderJob {
 
  private:
   RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order, int first_stride,
-            std::optional<Rows> before);
+            std::optional<Stopped> before);
   void Run();
   std::optional<RenderResult> RenderCoarseFirst(const Integrator& integrator);
   RenderResult RenderAll(const Integrator& integrator, const RenderSettings& settings,
                          const RenderMonitor& monitor) const;
-  std::optional<RenderResult> RenderAtOnce(const Integrator& integrator);
   std::optional<RenderResult> RenderRows(const Integrator& integrator);
-  /// So many rows are done.
-  void NoteRows(int rows);
   /// A whole picture, or rows of it from `first` up.
   void Show(const R2::Image& image, int first);
 
   using Clock = std::chrono::steady_clock;
-  const std::optional<Rows> before_;
+  std::optional<Stopped> before_;
   const Clock::time_point start_;
   const std::shared_ptr<const LoadedScene> scene_;
   const RenderSettings settings_;
@@ -115,7 +108,7 @@ class RenderJob {
   std::atomic<double> pixels_per_second_ = 0, share_ = 0;
   // Written before has_ended_, read after.
   std::optional<RenderResult> result_;
-  std::optional<Rows> canceled_;
+  std::optional<Stopped> canceled_;
   std::string failure_;
   double seconds_ = 0;
   std::thread thread_;  // the last, so that the other members exist when it starts

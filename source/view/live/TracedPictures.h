@@ -24,7 +24,7 @@ class TracedPictures {
   void StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
   /// Continues the picture where it was stopped, for the same scene and settings; CanContinue.
   void ContinueTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
-  /// Whether the picture was stopped after a row was done.
+  /// Whether the picture was stopped with samples.
   bool CanContinue() const { return Trace() && Trace()->Canceled(); }
   /// Whether one was running. What it has so far stays.
   bool StopTrace();
