@@ -39,6 +39,9 @@ class ViewerHost {
   virtual ~ViewerHost() = default;
   /// Writes the picture of key S.
   virtual std::string SaveTraced(const RenderJob& complete) = 0;
+  /// Keeps the picture of key S, which was stopped, so that a program without a viewer can continue it. Returns how, or
+  /// why not; empty where nobody asked for that.
+  virtual std::string KeepStopped(const RenderJob&) { return {}; }
   /// Writes what is drawn, once the event that asked for it is handled.
   virtual void SaveDrawing() = 0;
   /// Writes rays as an .obj file.

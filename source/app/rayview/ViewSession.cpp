@@ -20,6 +20,7 @@
 #include "source/app/rayview/PanelOptions.h"
 #include "source/app/rayview/RecentScenes.h"
 #include "source/app/rayview/SavePicture.h"
+#include "source/app/rayview/StoppedRender.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/Text.h"
 #include "source/render/forecast/SecondsOf.h"
@@ -184,10 +185,8 @@ class Session : public ViewerHost {
   }
 
   std::string SaveTraced(const RenderJob& job) override {
-    Options options = options_;
-    options.render = job.Settings();
-    options.render.threads = options_.render.threads;  // a job fills in how many it took
-    std::erase_if(options.given, IsOfBudget);
+    const Options options = OptionsOf(job);
+    stopped_.Finished(job, options);
     return Attempt([&] {
       if (outputs_.image) RefuseInputs(outputs_.image->file, FilesRead());
       std::string line = ray::SaveTraced(outputs_.image ? &*outputs_.image : nullptr, options, job.scene(),
@@ -197,6 +196,7 @@ class Session : public ViewerHost {
       return line;
     });
   }
+  std::string KeepStopped(const RenderJob& job) override { return stopped_.Keep(job, OptionsOf(job)); }
   void SaveDrawing() override { wants_drawing_ = true; }
   std::string SaveRays(const std::string& obj) override {
     return Attempt([&] {
@@ -258,6 +258,15 @@ class Session : public ViewerHost {
   }
 
  private:
+  /// Those that make the picture of a job of key S.
+  Options OptionsOf(const RenderJob& job) const {
+    Options options = options_;
+    options.render = job.Settings();
+    options.render.threads = options_.render.threads;  // a job fills in how many it took
+    std::erase_if(options.given, IsOfBudget);
+    return options;
+  }
+
   /// What it says, or why it could not; then the program ends with that status.
   template <typename Save>
   std::string Attempt(const Save& save) {
@@ -419,6 +428,7 @@ class Session : public ViewerHost {
   const PanelSettings first_look_;
   Viewer viewer_;
   Recorder recorder_;
+  StoppedRender stopped_;
   ray::RecentScenes recent_;
   const Clock::time_point start_ = Clock::now();
   MotionDetail detail_;

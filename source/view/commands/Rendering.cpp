@@ -9,12 +9,16 @@
 namespace ray {
 namespace {
 
+/// What becomes of a render that was stopped.
+std::string HowItContinues(ViewerState& viewer, const RenderJob& job) {
+  if (!job.Canceled()) return "; nothing was saved";
+  const std::string kept = viewer.host.KeepStopped(job);
+  return "; S continues it while view and options are the same" + (kept.empty() ? "" : "; " + kept);
+}
+
 void SaveEnded(ViewerState& viewer, const RenderJob& job) {
   if (!job.Failure().empty()) return viewer.notices.Tell("rendering failed: " + job.Failure());
-  if (!job.IsComplete())
-    return viewer.notices.Tell(
-        "rendering stopped; nothing was saved" +
-        std::string(job.Canceled() ? "; S continues it while view and options are the same" : ""));
+  if (!job.IsComplete()) return viewer.notices.Tell("rendering stopped" + HowItContinues(viewer, job));
   KeepImage(viewer, job);
   viewer.notices.Tell(viewer.host.SaveTraced(job) +
                       (viewer.editor.HasUnsaved() ? "; the scene's changes are not saved yet" : ""));

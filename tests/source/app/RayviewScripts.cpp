@@ -78,6 +78,38 @@ TEST_F(RayviewScripts, AnImageBeforeSavingKnowsTheTextItIsOf) {
   EXPECT_EQ(hash_after(""), edited);
 }
 
+// What was rendered for an hour and stopped is not lost when the viewer is closed.
+TEST_F(RayviewScripts, AStoppedImageIsContinuedByRaypro) {
+  const std::vector<std::string> options{"-samples", "16", "-seed", "3"}, size{"-width", "96", "-height", "64"};
+  const std::string checkpoint = folder / "view.png.checkpoint";
+  const std::string script = "resize 96 64\nkey S\nwait rows 16\nkey Escape\nwait trace\n";
+  const Finished viewed = Follow(script + "print\n", options);
+  ASSERT_EQ(viewed.status, 0) << viewed.error;
+  ASSERT_TRUE(std::filesystem::exists(checkpoint)) << viewed.output;
+  EXPECT_NE(viewed.output.find("so does raypro -resume, from " + checkpoint), std::string::npos) << viewed.output;
+  const auto raypro = [&](const std::string& out, const std::vector<std::string>& more) {
+    return testing::RunProgram(
+        testing::With(testing::With({scene, folder / out, "-quiet"}, testing::With(options, size)), more));
+  };
+  const Finished resumed = raypro("view.png", {"-resume"});
+  ASSERT_EQ(resumed.status, 0) << resumed.error;
+  EXPECT_FALSE(std::filesystem::exists(checkpoint));
+  ASSERT_EQ(raypro("fresh.png", {}).status, 0);
+  EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "fresh.png").image);
+
+  // Gone on with in the viewer itself, nothing is left of it.
+  std::filesystem::remove(folder / "view.png");
+  ASSERT_EQ(Follow(script + "key S\nwait trace\n", options).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(checkpoint));
+  EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "fresh.png").image);
+
+  // Nor does another render take the place of a checkpoint, which may be of hours.
+  std::filesystem::remove(folder / "view.png");
+  WriteFile(checkpoint, "somebody's");
+  ASSERT_EQ(Follow(script, options).status, 0);
+  EXPECT_EQ(ReadFile(checkpoint), "somebody's");
+}
+
 TEST_F(RayviewScripts, FocusOnAPointIsWrittenIntoTheScene) {
   ASSERT_EQ(Follow("resize 96 64\nmove 48 30\nkey K\nkey Control+S\nkey S\nwait trace\n").status, 0);
   const std::string after = ReadFile(scene);

@@ -48,7 +48,7 @@ class RandomUser {
       case 13:
         return Do(TickEvent{draw_.Scale(-3, 0)});
       case 14:
-        return Type();
+        return draw_.Whole(0, 1) ? Type() : EditScene();
       default:
         return DoWhatIsRare();
     }
@@ -80,6 +80,7 @@ class RandomUser {
   /// Whether key S still makes the picture that the same settings make without a viewer.
   void CheckRendering() {
     for (int i = 0; i < 3; ++i) Do(ButtonEvent{static_cast<Button>(i), false, 1, 1, {}});
+    if (viewer_->state().shows_help) Do(KeyEvent{Key::escape, {}, true});  // what is typed is searched for there
     if (viewer_->state().shows_panels) Do(KeyEvent{Key::tab, {}, true});
     Do(ResizeEvent{24, 16, 1});
     host_.traced.clear();
@@ -96,6 +97,9 @@ class RandomUser {
 
   /// What was done, for rayview -headless -events.
   const std::string& Script() const { return script_; }
+  /// How often the scene was changed, and saved.
+  int Edits() const { return edits_; }
+  int Saves() const { return saves_; }
 
  private:
   void Open() {
@@ -109,7 +113,11 @@ class RandomUser {
   }
   void Do(const Event& event) {
     script_ += ScriptLine(event);
+    const std::size_t done = viewer_->state().editor.History().Done();
+    const std::string before = viewer_->Message();
     viewer_->Handle(event);
+    edits_ += viewer_->state().editor.History().Done() > done;
+    saves_ += viewer_->Message() != before && viewer_->Message().find("saved ") != std::string::npos;
   }
 
   void PressKey() {
@@ -136,6 +144,24 @@ class RandomUser {
     const PanelItem item = items[static_cast<std::size_t>(draw_.Whole(0, static_cast<int>(items.size()) - 1))];
     Do(ButtonEvent{Button::left, true, item.x, item.y, {}});
     Do(ButtonEvent{Button::left, false, item.x, item.y, {}});
+  }
+
+  /// Something that is shown is chosen, changed, and maybe saved or changed back.
+  void EditScene() {
+    constexpr Modifiers control{.control = true}, both{true, true};
+    if (viewer_->state().shows_help) Do(KeyEvent{Key::escape, {}, true});
+    const double x = X(), y = Y();
+    Do(ButtonEvent{Button::left, true, x, y, {}});
+    Do(ButtonEvent{Button::left, false, x, y, {}});
+    constexpr std::array changes{std::pair{Key::equal, Modifiers{}}, std::pair{Key::minus, Modifiers{true, false}},
+                                 std::pair{Key::d, control},         std::pair{Key::del, Modifiers{}},
+                                 std::pair{Key::k, control},         std::pair{Key::k, Modifiers{true, false}}};
+    constexpr std::array then{std::pair{Key::z, control}, std::pair{Key::y, control}, std::pair{Key::s, control},
+                              std::pair{Key::s, both}};
+    const auto& change = changes[static_cast<std::size_t>(draw_.Whole(0, changes.size() - 1))];
+    Do(KeyEvent{change.first, change.second, true});
+    const auto& next = then[static_cast<std::size_t>(draw_.Whole(0, then.size() - 1))];
+    Do(KeyEvent{next.first, next.second, true});
   }
 
   void Type() {
@@ -171,6 +197,7 @@ class RandomUser {
 
   Draw draw_;
   std::string script_;
+  int edits_ = 0, saves_ = 0;
   CopiedScenes folder_;
   WithOptions host_;
   std::unique_ptr<Viewer> viewer_;
@@ -180,6 +207,7 @@ TEST(RandomEvents, TenThousandOfThemDoNoHarm) {
   // In several stories, so that a failure is short enough to be read, and each begins with a viewer as it is at first.
   constexpr int events_of_a_story = 250;
   const int stories = Count(4, 40);
+  int edits = 0, saves = 0;
   for (int story = 0; story < stories && !testing::Test::HasFailure(); ++story) {
     RandomUser user(2'000 + static_cast<std::uint64_t>(story));
     for (int i = 0; i < events_of_a_story && !testing::Test::HasFailure(); ++i) {
@@ -187,8 +215,11 @@ TEST(RandomEvents, TenThousandOfThemDoNoHarm) {
       user.Check();
     }
     user.CheckRendering();
+    edits += user.Edits(), saves += user.Saves();
     if (testing::Test::HasFailure()) FAIL() << "story " << story << ":\n" << user.Script();
   }
+  EXPECT_GE(edits, stories) << "scenes were hardly changed";
+  EXPECT_GE(saves, stories / 2) << "and hardly saved";
 }
 
 }  // namespace

@@ -1,0 +1,51 @@
+#include "source/app/rayview/StoppedRender.h"
+
+#include <exception>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "source/app/files/SceneHash.h"
+
+namespace ray {
+namespace {
+
+/// That of the scene's files, which are those on the disk where nothing was edited; raypro knows no others.
+std::string IdentityForRaypro(const RenderJob& job, Options options) {
+  options.program = Program::raypro;
+  return IdentityOf(options, SceneHash(job.scene().parsed.scene.files));
+}
+
+bool IsEdited(const LoadedScene& scene) {
+  std::vector<std::string_view> texts;
+  for (const ScnPlaces::File& file : scene.places.files) texts.emplace_back(file.text->bytes);
+  const std::vector<std::string>& files = scene.parsed.scene.files;
+  return !texts.empty() && SceneHash(files, texts) != SceneHash(files);
+}
+
+}  // namespace
+
+std::string StoppedRender::Keep(const RenderJob& stopped, Options options) {
+  if (options.files.picture.empty()) return {};
+  if (stopped.Settings().view) return "raypro could not: the camera is not the scene's (Shift+K, Control+S)";
+  if (IsEdited(stopped.scene())) return "raypro could not: the scene has changes that are not saved";
+  try {
+    const std::string identity = IdentityForRaypro(stopped, options);
+    if (identity != identity_) checkpoint_.reset();
+    if (!checkpoint_) checkpoint_.emplace(options.files, CheckpointOptions{}, false);
+    checkpoint_->Save(stopped.Canceled()->state, identity);
+    identity_ = identity;
+    return "so does raypro -resume, from " + checkpoint_->Name();
+  } catch (const std::exception& problem) {  // what is there is somebody else's
+    return std::string("raypro could not: ") + problem.what();
+  }
+}
+
+void StoppedRender::Finished(const RenderJob& complete, Options options) {
+  if (checkpoint_ && IdentityForRaypro(complete, std::move(options)) == identity_)
+    checkpoint_->PictureIsFinished(false);
+  checkpoint_.reset();
+  identity_.clear();
+}
+
+}  // namespace ray
