@@ -6,6 +6,7 @@
 #include "source/view/commands/Cameras.h"
 #include "source/view/commands/FlatImage.h"
 #include "source/view/commands/Rays.h"
+#include "source/view/commands/Rendering.h"
 #include "source/view/commands/Sections.h"
 #include "source/view/commands/Showing.h"
 
@@ -49,6 +50,8 @@ void PointerInput::Begin(const ButtonEvent& event, ViewerState& viewer) {
   } else if (event.button == Button::left && event.modifiers == of_moving) {
     press_->what = Drags::chosen;
     viewer.editor.BeginDrag(viewer, viewer.RayAt(press_->at));
+  } else if (event.button == Button::right && event.modifiers.control) {
+    press_->what = Drags::crop;
   } else {
     viewer.navigator.BeginDrag(event, PointFinder(viewer));
   }
@@ -65,6 +68,8 @@ void PointerInput::On(const MoveEvent& event, ViewerState& viewer) {
       return DragFlat(viewer, last, now, false);
     case Drags::slider:
       return DragFlat(viewer, last, now, true);
+    case Drags::crop:
+      return Crop(viewer, press_->at, now);
     case Drags::chosen:
       return viewer.editor.DragTo(viewer, viewer.RayAt(now));
     case Drags::view:

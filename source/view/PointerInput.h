@@ -23,7 +23,7 @@ class PointerInput {
   }
 
  private:
-  enum class Drags { view, section, flat, slider, chosen };
+  enum class Drags { view, section, flat, slider, chosen, crop };
   struct Press {
     Button button;
     R2::Point at;

@@ -64,6 +64,7 @@ void Viewer::On(const ResizeEvent& event) {
   state_.section_drawing.reset();
   if (size == state_.size) return;
   state_.size = size;
+  state_.crop.reset();  // its pixels are others now
   state_.pictures.Touch();
   state_.notices.RedrawLines();
 }

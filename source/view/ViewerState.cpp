@@ -79,6 +79,13 @@ R2::Point ViewerState::InPicture(const R2::Point& position) const {
           (position.y - place.bottom) / place.height * picture.height};
 }
 
+PixelBox ViewerState::PlaceOf(const RenderJob& job) const {
+  const PixelBox all = PlaceOfPicture();
+  const PixelRectangle region = RegionOf(job.Settings());
+  const double across = all.width / job.Settings().width, up = all.height / job.Settings().height;
+  return {all.left + region.x0 * across, all.bottom + region.y0 * up, region.Width() * across, region.Height() * up};
+}
+
 std::optional<TracedQuad> ViewerState::Quad() const {
   if (!overlays.quad || !pictures.Trace() || pictures.IsLive()) return {};
   return TracedQuad(pictures.Trace()->Settings(), scene.Parsed().camera, navigator.Center(), scene.Space().radius);

@@ -63,9 +63,11 @@ struct ViewerState {
     int scene = 0, options = 0;  // numbers
     std::string camera;          // as a line
     DrawingSize size;
+    std::optional<PixelRectangle> crop;
     friend bool operator==(const TracedAs&, const TracedAs&) = default;
   };
   TracedAs traced_as;
+  std::optional<PixelRectangle> crop;  // of the view, that key S renders; nothing for all of it
 
   SpaceOverlays overlays;
   RayInspector rays;
@@ -103,6 +105,8 @@ struct ViewerState {
   PixelBox FittingPicture() const;
   /// A position in the drawing as one in that picture.
   R2::Point InPicture(const R2::Point& position) const;
+  /// Where in the drawing is what a job has rendered of it: a crop, or all.
+  PixelBox PlaceOf(const RenderJob& job) const;
   R2::Point PictureUnderPointer() const { return InPicture(pointer); }
 
   /// The image of key S in space; nothing where it is not shown.

@@ -1,5 +1,8 @@
 #include "source/view/commands/Rendering.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "source/scene/CameraText.h"
 #include "source/text/EnumNames.h"
 #include "source/view/commands/Images.h"
@@ -34,17 +37,34 @@ void TellEndedLive(ViewerState& viewer, const RenderJob& job) {
 
 void StartTrace(ViewerState& viewer) {
   const ViewerState::TracedAs as{viewer.scene.Number(), viewer.options_number, CameraLine(viewer.navigator.camera()),
-                                 viewer.size};
+                                 viewer.size, viewer.crop};
   const bool continues = viewer.pictures.CanContinue() && as == viewer.traced_as;
   viewer.traced_as = as;
+  RenderSettings settings = viewer.SettingsOfView();
+  settings.crop = viewer.crop;
   if (continues)
-    viewer.pictures.ContinueTrace(viewer.scene.Shared(), viewer.SettingsOfView());
+    viewer.pictures.ContinueTrace(viewer.scene.Shared(), settings);
   else
-    viewer.pictures.StartTrace(viewer.scene.Shared(), viewer.SettingsOfView());
+    viewer.pictures.StartTrace(viewer.scene.Shared(), settings);
   viewer.pictures.HideLive();
   viewer.overlays.quad = true;
   viewer.notices.Tell(continues ? "rendering continues where it was stopped" : "rendering");
   viewer.notices.RedrawLines();
+}
+
+void Crop(ViewerState& viewer, const R2::Point& from, const R2::Point& to) {
+  const R2::Point a = viewer.InPicture(from), b = viewer.InPicture(to);
+  const auto pixel = [](double x, int size) { return std::clamp(static_cast<int>(std::floor(x)), 0, size - 1); };
+  const int x0 = pixel(std::min(a.x, b.x), viewer.size.width), x1 = pixel(std::max(a.x, b.x), viewer.size.width) + 1;
+  const int y0 = pixel(std::min(a.y, b.y), viewer.size.height), y1 = pixel(std::max(a.y, b.y), viewer.size.height) + 1;
+  viewer.crop = PixelRectangle{x0, y0, x1, y1};
+  viewer.notices.Tell("crop of " + std::to_string(x1 - x0) + "x" + std::to_string(y1 - y0) +
+                      " pixels; S renders it, Escape clears it");
+}
+
+void ClearCrop(ViewerState& viewer) {
+  viewer.crop.reset();
+  viewer.notices.Tell("crop cleared; S renders the whole view");
 }
 
 void ToggleLive(ViewerState& viewer, std::optional<RenderMode> mode) {

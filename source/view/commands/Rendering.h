@@ -9,6 +9,9 @@ namespace ray {
 
 /// Renders the view row by row, or continues where that was stopped.
 void StartTrace(ViewerState& viewer);
+/// The next render takes this rectangle alone, between two positions in the drawing, of the view.
+void Crop(ViewerState& viewer, const R2::Point& from, const R2::Point& to);
+void ClearCrop(ViewerState& viewer);
 /// `mode`: instead of the settings' own; nothing for that.
 void ToggleLive(ViewerState& viewer, std::optional<RenderMode> mode);
 /// Live rendering of one mode; nothing for none.

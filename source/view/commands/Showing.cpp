@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "source/view/commands/FlatImage.h"
+#include "source/view/commands/Rendering.h"
 #include "source/view/commands/Sections.h"
 
 namespace ray {
@@ -23,6 +24,7 @@ void Toggle(ViewerState& viewer, const char* what, bool SpaceOverlays::*shows) {
 void Peel(ViewerState& viewer) {
   if (viewer.shows_help) return ToggleHelp(viewer);
   if (viewer.flat.IsShown()) return ToggleFlat(viewer);
+  if (viewer.crop) return ClearCrop(viewer);
   if (viewer.selection.pick) {
     viewer.selection.pick.reset();
     ChooseNode(viewer, {});

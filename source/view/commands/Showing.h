@@ -7,7 +7,7 @@
 /// What is shown and chosen, and what is closed again.
 namespace ray {
 
-/// Ends the uppermost of what is open: the help, the flat image, the pick, the cross section, the rendering.
+/// Ends the uppermost of what is open: the help, the flat image, the crop, the pick, the cross section, the rendering.
 void Peel(ViewerState& viewer);
 /// Unless that would lose something; then when it is asked for again.
 void Quit(ViewerState& viewer);

@@ -11,7 +11,7 @@
 
 namespace ray {
 
-/// The rendered image as it hangs in space before the camera that it was rendered with.
+/// The rendered image, or the crop of it that was rendered, as it hangs in space before its camera.
 class TracedQuad {
  public:
   /// `own`: the camera of the scene; `middle`: of what is looked at; `radius`: of the scene.
@@ -31,7 +31,8 @@ class TracedQuad {
   std::optional<Meeting> MeetingWith(const R3::Ray& ray) const;
 
  private:
-  int width_, height_;  // of the image, in pixels
+  int width_, height_;     // of the whole image, in pixels
+  PixelRectangle region_;  // that was rendered
   Camera camera_;
   std::array<R3::Point, 4> corners_;  // from the lower left one, counterclockwise
 };

@@ -23,8 +23,9 @@ std::string NameAndSize(const ViewerState& viewer) {
 std::string PixelUnderPointer(const ViewerState& viewer, const RenderJob& job) {
   const R2::Point& pointer = viewer.PictureUnderPointer();
   const auto x = static_cast<int>(std::floor(pointer.x)), y = static_cast<int>(std::floor(pointer.y));
-  if (x < 0 || y < 0 || x >= job.frame().Width() || y >= job.frame().Height()) return {};
-  return std::to_string(x) + " " + std::to_string(y) + "  " + Brief(job.frame().At(x, y));
+  const PixelRectangle region = RegionOf(job.Settings());
+  if (!region.Contains(x, y)) return {};
+  return std::to_string(x) + " " + std::to_string(y) + "  " + Brief(job.frame().At(x - region.x0, y - region.y0));
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ std::optional<FrameState::Picture> QuadInSpace(const ViewerState& viewer, const 
 std::optional<FrameState::Picture> CoveringPicture(const ViewerState& viewer) {
   FrameState::Picture picture;
   picture.exposure = {R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb};
-  picture.place = viewer.PlaceOfPicture();
+  const bool is_traced = !viewer.pictures.IsLive() && viewer.pictures.Trace();
+  picture.place = is_traced ? viewer.PlaceOf(*viewer.pictures.Trace()) : viewer.PlaceOfPicture();
   if (auto compared = viewer.pictures.Compared()) {
     picture.image = std::move(compared);
     if (viewer.pictures.ShowsEncodedDifference()) picture.exposure.srgb = false;
@@ -77,7 +78,10 @@ void ShowFlat(const ViewerState& viewer, FrameState& shown) {
   shown.beside = FrameState::Picture{};
   shown.beside->image = viewer.pictures.Reference();
   shown.beside->exposure = shown.picture->exposure;
-  shown.beside->place = shown.picture->place;
+  const RenderSettings& settings = viewer.FlatJob()->Settings();
+  const bool is_whole =
+      shown.beside->image->Width() == settings.width && shown.beside->image->Height() == settings.height;
+  shown.beside->place = is_whole ? viewer.PlaceOfPicture() : shown.picture->place;
 }
 
 /// The distances of the nearest and the farthest surface that the preview shows, as mode zbuffer or depth needs them.

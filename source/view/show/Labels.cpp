@@ -32,8 +32,8 @@ std::string ShortValue(float value) {
 ///   split   the column from which on the pixels are the reference's
 void AddValuesOfPixels(const ViewerState& viewer, std::vector<Label>& labels, const LetterSize& letters, double split) {
   const Frame& frame = viewer.FlatJob()->frame();
-  const PixelBox place = viewer.PlaceOfPicture();
-  const double side = place.width / viewer.SettingsOfPicture().width;
+  const PixelBox place = viewer.PlaceOf(*viewer.FlatJob());
+  const double side = place.width / frame.Width();
   if (side < std::max((letters_of_a_value + 1) * letters.width, 3 * letters.height)) return;
   const auto first = [&](double from) { return std::max(0, static_cast<int>(std::ceil(-from / side - 0.5))); };
   const std::shared_ptr<const R2::Image>& reference = viewer.pictures.Reference();

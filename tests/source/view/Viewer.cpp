@@ -11,6 +11,43 @@
 namespace ray {
 namespace {
 
+// Waiting for a whole image to see one corner of it wastes an hour.
+TEST_F(ViewerTest, ACropDraggedWithControlIsAllThatSRendersUntilEscapeClearsIt) {
+  Do("down right 8 6 Control\nmove 40 30\nup right 40 30 Control\n");
+  EXPECT_EQ(viewer_->Message(), "crop of 33x25 pixels; S renders it, Escape clears it");
+  EXPECT_FALSE(viewer_->navigator().IsDragging()) << "the camera stays";
+  const FrameState shown = viewer_->Show();
+  ASSERT_TRUE(shown.marks);
+  EXPECT_EQ(shown.marks->size(), 8u) << "the four sides of its frame";
+  Do("key S\nwait trace\n");
+  ASSERT_EQ(host_.traced.size(), 1u);
+  RenderSettings settings = viewer_->state().SettingsOfView();
+  EXPECT_FALSE(settings.crop);
+  settings.crop = {8, 6, 41, 31};
+  EXPECT_EQ(host_.traced[0], Rendered(settings));
+  EXPECT_EQ(host_.traced_settings[0].crop, settings.crop);
+
+  // Flat, it is where it is in the view, and its pixels are those that are clicked.
+  Do("key I");
+  const FrameState flat = viewer_->Show();
+  ASSERT_TRUE(flat.picture);
+  EXPECT_NEAR(flat.picture->place.left, 8, 1e-9);
+  EXPECT_NEAR(flat.picture->place.width, 33, 1e-9);
+  EXPECT_NEAR(flat.picture->place.bottom, 6, 1e-9);
+  Do("key Escape\nkey Escape\n");
+  EXPECT_EQ(viewer_->Message(), "crop cleared; S renders the whole view");
+  Do("key S\nwait trace\n");
+  ASSERT_EQ(host_.traced.size(), 2u);
+  EXPECT_EQ(host_.traced[1].Width(), width);
+}
+
+TEST_F(ViewerTest, ACropOfAnotherSizeOfTheWindowIsForgottenAndOneBeyondItIsCut) {
+  Do("down right 30 20 Control\nmove 900 -50\nup right 900 -50 Control\n");
+  EXPECT_EQ(viewer_->state().crop, (PixelRectangle{30, 0, width, 21}));
+  Do("resize 100 80\n");
+  EXPECT_FALSE(viewer_->state().crop);
+}
+
 TEST_F(ViewerTest, RotatesAsATurntableUntilKeyT) {
   Do("drag left 10 10 40 40\ndrag left 10 10 20 45");
   EXPECT_NEAR(camera().right.y, 0, 1e-12) << "the horizon is level";
