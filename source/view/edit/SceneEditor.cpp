@@ -298,6 +298,19 @@ void SceneEditor::SetSetting(ViewerState& viewer, const std::string& option, con
            [=, &viewer] { return WithSettings(PlacesOf(viewer), settings); });
 }
 
+void SceneEditor::AddToMaterial(ViewerState& viewer, std::size_t material, const std::string& command) {
+  const R2::Color& kr = viewer.scene.Parsed().materials[material].kr;
+  const std::string numbers =
+      command == "mirror" ? ToText(kr.r) + " " + ToText(kr.g) + " " + ToText(kr.b) : std::string("1000 4");
+  Do(viewer, "add " + command + " to " + Name(viewer, PlacesOf(viewer).materials[material]), "", false,
+     [&] { return WithAboutMaterial(PlacesOf(viewer), material, command, numbers); });
+}
+
+void SceneEditor::SetTexture(ViewerState& viewer, std::size_t material, const std::string& name) {
+  Do(viewer, name.empty() ? "take the texture away" : "set the texture to " + name, "", false,
+     [&] { return WithTexture(PlacesOf(viewer), material, name); });
+}
+
 void SceneEditor::SetAxis(ViewerState& viewer, MoveAxis axis) {
   axis_ = axis;
   viewer.notices.Tell(std::string("= and - move along ") + NameOf(axis_) + ", by " + ToText(StepOf(viewer)) +

@@ -50,6 +50,10 @@ class SceneEditor {
                 bool continues);
   /// A setting that the scene asks for, by the name of its option.
   void SetSetting(ViewerState& viewer, const std::string& option, const std::string& value, bool continues);
+  /// "mirror" or "gloss", which the scene has not said of the material yet: with numbers that change little at first.
+  void AddToMaterial(ViewerState& viewer, std::size_t material, const std::string& command);
+  /// The image's name as the scene says it; empty for none.
+  void SetTexture(ViewerState& viewer, std::size_t material, const std::string& name);
   MoveAxis Axis() const { return axis_; }
   void SetAxis(ViewerState& viewer, MoveAxis axis);
   void NextAxis(ViewerState& viewer);

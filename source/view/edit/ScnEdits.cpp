@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string_view>
 
 #include "R3/ShapeKind.h"
 #include "source/parse/Files.h"
+#include "source/parse/scn/QuotedName.h"
 #include "source/scene/CameraText.h"
 #include "source/scene/Light.h"
 #include "source/text/Number.h"
@@ -128,6 +130,20 @@ void RefuseOthers(const ScnPlaces& places, std::uint32_t statement, const char* 
   if (!IsThing(command)) throw EditRefusal("a " + command + " cannot be " + verb);
 }
 
+constexpr std::size_t word_of_texture = 18;  // of a material's statement, the last
+
+/// The number that the material's file knows it by.
+std::size_t IdOf(const ScnPlaces& places, std::size_t material) {
+  const ScnPlaces::Statement& own = places.statements[places.materials[material]];
+  std::set<std::uint32_t> before;  // where those before it begin; of a file that is included twice all come again
+  for (const std::uint32_t statement : places.materials) {
+    if (statement == ScnPlaces::nowhere) continue;
+    const ScnPlaces::Statement& other = places.statements[statement];
+    if (other.file == own.file && other.begin < own.begin) before.insert(other.begin);
+  }
+  return before.size();
+}
+
 double Number(const ScnWord& word) { return ParseNumber(word.text).value; }
 
 /// The words of a camera of 12 numbers.
@@ -148,8 +164,8 @@ std::optional<std::vector<double>> LookAtNumbersOf(const Camera& camera, const s
   read.TakeViewOf(camera);
   read.near = camera.near, read.far = camera.far;
   if (CameraLine(read) != CameraLine(camera)) return {};
-  return std::vector{camera.eye.x, camera.eye.y, camera.eye.z, at.x,        at.y,        at.z,
-                     camera.up.x,  camera.up.y,  camera.up.z,  camera.Fov()};
+  return std::vector{camera.eye.x, camera.eye.y, camera.eye.z, at.x,        at.y,
+                     at.z,         camera.up.x,  camera.up.y,  camera.up.z, camera.Fov()};
 }
 
 /// "camera" and 12 numbers.
@@ -244,9 +260,8 @@ Copied Duplicated(const ScnPlaces& places, std::uint32_t statement, const R3::Ve
   const Range range = RangeOf(places, statement);
   const auto [lines, is_whole] = LinesOf(text, range);
   std::string copy = text.substr(lines.begin, lines.end - lines.begin);
-  const TextEdits moves = FindLightKind(CommandOf(places, statement)) && way == R3::Vector{}
-                              ? TextEdits{}
-                              : Moved(places, statement, way);
+  const TextEdits moves =
+      FindLightKind(CommandOf(places, statement)) && way == R3::Vector{} ? TextEdits{} : Moved(places, statement, way);
   for (const TextEdit& edit : moves) copy.replace(edit.at - lines.begin, edit.before.size(), edit.after);
   std::string between = is_whole ? "" : "  ";
   if (is_whole && !(lines.end > 0 && EndsLine(text[lines.end - 1]))) between = EndOfLine(text);
@@ -289,6 +304,40 @@ TextEdits WithSettings(const ScnPlaces& places, const std::vector<std::pair<std:
     for (const TextEdit& edit : WithSetting(places, option, value))
       edits.push_back({edit.file, OffsetAfter(edits, edit.file, edit.at), edit.before, edit.after});
   return edits;
+}
+
+std::optional<std::uint32_t> AboutMaterial(const ScnPlaces& places, std::size_t material, const std::string& command) {
+  const std::uint32_t file = places.statements[places.materials[material]].file;
+  const std::string id = std::to_string(IdOf(places, material));
+  for (auto i = static_cast<std::uint32_t>(places.statements.size()); i-- > 0;) {
+    if (places.statements[i].file != file || CommandOf(places, i) != command) continue;
+    const std::vector<ScnWord> words = WordsOf(places, i);
+    if (words.size() > 1 && words[1].text == id) return i;
+  }
+  return {};
+}
+
+TextEdits WithAboutMaterial(const ScnPlaces& places, std::size_t material, const std::string& command,
+                            const std::string& numbers) {
+  return WithLine(places, places.materials[material],
+                  command + " " + std::to_string(IdOf(places, material)) + " " + numbers);
+}
+
+std::string TextureOf(const ScnPlaces& places, std::size_t material) {
+  const std::vector<ScnWord> words = WordsOf(places, places.materials[material]);
+  if (words.size() <= word_of_texture || words[word_of_texture].text == "0") return {};
+  return Unquoted(words[word_of_texture].text).name;
+}
+
+TextEdits WithTexture(const ScnPlaces& places, std::size_t material, const std::string& name) {
+  const std::uint32_t statement = places.materials[material];
+  const std::vector<ScnWord> words = WordsOf(places, statement);
+  if (words.size() <= word_of_texture) throw EditRefusal("the material's line is not whole");
+  const ScnWord& word = words[word_of_texture];
+  if (word.text.starts_with('$')) throw EditRefusal(word.text + " is a variable; edit its 'define' in the file");
+  const std::string now = name.empty() || name == "0" ? "0" : QuotedWhereNeeded(name);
+  if (now == word.text) return {};
+  return {{FileOf(places, statement).canonical, word.begin, word.text, now}};
 }
 
 }  // namespace ray

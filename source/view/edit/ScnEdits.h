@@ -47,6 +47,17 @@ TextEdits WithCamera(const ScnPlaces& places, const Camera& camera);
 /// Makes the scene ask for settings, as "set aperture 0.1": options and their values. Throws EditRefusal.
 TextEdits WithSettings(const ScnPlaces& places, const std::vector<std::pair<std::string, std::string>>& settings);
 
+// Materials are said by an index into Scene::materials, one that a statement has made.
+
+/// The statement that says more of the material by this command, "mirror" or "gloss", last; nothing where none does.
+std::optional<std::uint32_t> AboutMaterial(const ScnPlaces& places, std::size_t material, const std::string& command);
+/// Says more of the material in a line behind it. `numbers`: what the command takes behind the material's number.
+TextEdits WithAboutMaterial(const ScnPlaces& places, std::size_t material, const std::string& command,
+                            const std::string& numbers);
+/// The name of the image that the material's statement gives it, as the scene says it; empty for none.
+std::string TextureOf(const ScnPlaces& places, std::size_t material);
+TextEdits WithTexture(const ScnPlaces& places, std::size_t material, const std::string& name);
+
 /// The statement that `command` begins last in the top file; nothing where there is none.
 std::optional<std::uint32_t> LastOf(const ScnPlaces& places, const std::string& command);
 

@@ -38,6 +38,9 @@ constexpr std::array look_at_fields{
     NamedField{"up", Kind::direction, 8},
     NamedField{"whole angle, degrees", Kind::number, 11},
 };
+constexpr std::array mirror_fields{NamedField{"mirror (kr)", Kind::color, 2}};
+constexpr std::array gloss_fields{NamedField{"gloss exponent", Kind::number, 2},
+                                  NamedField{"gloss samples", Kind::number, 3}};
 constexpr std::array color_fields{NamedField{"color", Kind::color, 1}};
 constexpr std::array line_fields{NamedField{"from", Kind::point, 2}, NamedField{"to", Kind::point, 5}};
 
@@ -47,11 +50,11 @@ struct Wording {
   const char* words;
 };
 constexpr std::array wordings{
-    Wording{"r", "color"},          Wording{"px", "position"},     Wording{"cx", "center"},
-    Wording{"dx", "direction"},     Wording{"nx", "normal"},       Wording{"x", "low corner"},
-    Wording{"X", "high corner"},    Wording{"x1", "corner 1"},     Wording{"x2", "corner 2"},
-    Wording{"x3", "corner 3"},      Wording{"ca", "constant (ca)"}, Wording{"la", "linear (la)"},
-    Wording{"qa", "quadratic (qa)"}, Wording{"sc", "cutoff (sc)"}, Wording{"sd", "dropoff (sd)"},
+    Wording{"r", "color"},           Wording{"px", "position"},      Wording{"cx", "center"},
+    Wording{"dx", "direction"},      Wording{"nx", "normal"},        Wording{"x", "low corner"},
+    Wording{"X", "high corner"},     Wording{"x1", "corner 1"},      Wording{"x2", "corner 2"},
+    Wording{"x3", "corner 3"},       Wording{"ca", "constant (ca)"}, Wording{"la", "linear (la)"},
+    Wording{"qa", "quadratic (qa)"}, Wording{"sc", "cutoff (sc)"},   Wording{"sd", "dropoff (sd)"},
 };
 
 std::string InWords(std::string_view argument) {
@@ -119,6 +122,8 @@ std::vector<ScnField> FieldsOfGroup(const std::vector<ScnWord>& words) {
 std::vector<ScnField> UnreadFields(const std::string& name, const std::vector<ScnWord>& words) {
   constexpr std::size_t behind_command = 1, behind_material = 2;
   if (name == "material") return FieldsOfTable(material_fields);
+  if (name == "mirror") return FieldsOfTable(mirror_fields);
+  if (name == "gloss") return FieldsOfTable(gloss_fields);
   if (name == "line") return FieldsOfTable(line_fields);
   if (name == "begin") return FieldsOfGroup(words);
   if (name == "background" || name == "ambient") return FieldsOfTable(color_fields);

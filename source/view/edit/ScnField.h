@@ -19,7 +19,7 @@ struct ScnField {
   std::string problem;             // why it cannot be edited; empty where it can
 };
 
-/// The fields of a material, light, shape, line, group, camera, background or ambient light, in the order of the file;
+/// The fields of a material, its mirror and gloss, light, shape, line, group, camera, background or ambient light, in the order of the file;
 /// none of other statements. Those of a group are its position, where its matrix or a first translation says it.
 std::vector<ScnField> FieldsOf(const ScnPlaces& places, std::uint32_t statement);
 

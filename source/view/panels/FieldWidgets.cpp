@@ -83,6 +83,7 @@ std::optional<FieldWidgets::Range> RangeOf(const ScnField& field) {
   static const std::array known{
       Known{"shininess (n)", {1, 1000}},
       Known{"refraction index", {1, 3}},
+      Known{"gloss exponent", {1, 10'000}},
       Known{"half angle, radians", {0.05, 1.4}},
       Known{"whole angle, degrees", {5, 160}},
       Known{"cutoff (sc)", {0, 1.6}},

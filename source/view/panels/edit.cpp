@@ -1,5 +1,7 @@
 #include <imgui.h>
 
+#include <array>
+
 #include "source/text/NumberText.h"
 #include "source/view/panels/Brief.h"
 #include "source/view/panels/FieldWidgets.h"
@@ -8,7 +10,8 @@
 namespace ray {
 namespace {
 
-constexpr std::size_t most_listed = 50;  // materials, or lights, that a reader goes through
+constexpr std::size_t longest_name = 4096;  // of files, in bytes
+constexpr std::size_t most_listed = 50;     // materials, or lights, that a reader goes through
 
 bool Section(PanelFrame& frame, const char* name) {
   const bool is_open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_DefaultOpen);
@@ -112,6 +115,33 @@ class EditPanel : public Panel {
       return frame.Say("the chosen object's material stands in no scene file");
     ImGui::Separator();
     material_fields_.Draw(frame, places.materials[*chosen]);
+    DrawTexture(frame, *chosen);
+    DrawMore(frame, *chosen, "mirror", mirror_fields_);
+    DrawMore(frame, *chosen, "gloss", gloss_fields_);
+  }
+
+  static void DrawTexture(PanelFrame& frame, std::size_t material) {
+    std::array<char, longest_name> text{};
+    TextureOf(frame.viewer.scene.Loaded().places, material).copy(text.data(), text.size() - 1);
+    constexpr const char* label = "texture";
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x -
+                            ImGui::GetStyle().ItemInnerSpacing.x);
+    constexpr auto flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
+    const bool is_entered = ImGui::InputText(label, text.data(), text.size(), flags);
+    frame.Note(label);
+    if (is_entered)
+      frame.Ask(
+          [material, name = std::string(text.data())](ViewerState& v) { v.editor.SetTexture(v, material, name); });
+  }
+
+  /// What a statement of its own says of a material, or a button for one.
+  static void DrawMore(PanelFrame& frame, std::size_t material, const std::string& command, FieldWidgets& fields) {
+    ImGui::PushID(command.c_str());
+    if (const auto about = AboutMaterial(frame.viewer.scene.Loaded().places, material, command))
+      fields.Draw(frame, *about);
+    else if (frame.Button("add " + command))
+      frame.Ask([material, command](ViewerState& v) { v.editor.AddToMaterial(v, material, command); });
+    ImGui::PopID();
   }
 
   void DrawLights(PanelFrame& frame) {
@@ -165,7 +195,8 @@ class EditPanel : public Panel {
     draw("ambient", ambient_fields_);
   }
 
-  FieldWidgets object_fields_, material_fields_, light_fields_, camera_fields_, background_fields_, ambient_fields_;
+  FieldWidgets object_fields_, material_fields_, mirror_fields_, gloss_fields_, light_fields_, camera_fields_,
+      background_fields_, ambient_fields_;
 };
 
 }  // namespace

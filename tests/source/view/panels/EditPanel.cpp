@@ -66,6 +66,41 @@ TEST_F(EditPanelTest, ThreeClicksChangeAColorAndSaveIt) {
   EXPECT_FALSE(viewer_->state().editor.HasUnsaved()) << viewer_->Message();
 }
 
+TEST_F(EditPanelTest, GivesAMaterialAMirrorAndGloss) {
+  Click("add mirror");
+  EXPECT_EQ(viewer_->state().editor.History().Done(), 1u) << viewer_->Message();
+  Click("mirror (kr)");
+  Do("type 0.3 0.2 0.1\nkey Enter");
+  EXPECT_EQ(Red().kr, (R2::Color{0.3, 0.2, 0.1})) << viewer_->Message();
+  Click("add gloss");
+  EXPECT_EQ(Red().gloss, 1000);
+  Click("gloss exponent");
+  Do("type 50\nkey Enter");
+  EXPECT_EQ(Red().gloss, 50) << viewer_->Message();
+  EXPECT_FALSE(Find("add gloss"));
+  Click("gloss exponent");
+  Do("type -1\nkey Enter");
+  EXPECT_EQ(Red().gloss, 50);
+  EXPECT_NE(viewer_->Message().find("exponent must be positive"), std::string::npos) << viewer_->Message();
+  Do("key Control+Z\nkey Control+Z\nkey Control+Z\nkey Control+Z");
+  EXPECT_EQ(Red().gloss, 0);
+  EXPECT_TRUE(Find("add mirror"));
+  EXPECT_FALSE(viewer_->state().editor.HasUnsaved()) << "the text is as it was, to the byte";
+}
+
+TEST_F(EditPanelTest, GivesAMaterialATextureAndTakesItAway) {
+  Click("texture");
+  Do("type textures/checker.png\nkey Enter");
+  ASSERT_TRUE(Red().texture) << viewer_->Message();
+  Click("texture");
+  Do("type no-such.png\nkey Enter");
+  EXPECT_TRUE(Red().texture);
+  EXPECT_NE(viewer_->Message().find("no such file"), std::string::npos) << viewer_->Message();
+  Click("texture");
+  Do("type 0\nkey Enter");
+  EXPECT_FALSE(Red().texture) << viewer_->Message();
+}
+
 TEST_F(EditPanelTest, ADragOfASliderIsOneStep) {
   const auto slider = Find("slide shininess (n)");
   ASSERT_TRUE(slider);
