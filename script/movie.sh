@@ -11,6 +11,7 @@
 #   -turntable         one orbit around the vertical axis through the middle of the scene
 #   -turns x           number of orbits, with -turntable; negative: the other way (default 1)
 #   -to "camera"       from the scene's camera to this one: eye, direction, up, half angle; easing in and out
+#   -bookmarks         through the views that rayview keeps as bookmarks of the scene, in the order of their digits
 #   -sweep name a b    raypro's option -name goes from a to b; may be combined with the others
 #   -define name a b   $name in the scene goes from a to b; likewise
 #   -each command      runs "command x" before each frame, x from 0 to 1, to change what the scene includes; likewise
@@ -36,6 +37,7 @@ way='' turns=1 to='' sweep='' each='' low=0 high=0 define='' least=0 most=0 host
 while [ $# -gt 0 ]; do
   case $1 in
     -turntable) way=turn; shift; continue ;;
+    -bookmarks) way=tour; shift; continue ;;
     -keep) keep=yes; shift; continue ;;
     -sweep)
       [ $# -ge 4 ] || usage "-sweep needs a name and two numbers"
@@ -62,7 +64,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 [ "$out" ] || usage "a scene and an output file are needed"
-[ "$way$sweep$define$each" ] || usage "one of -turntable, -to, -sweep, -define and -each is needed"
+[ "$way$sweep$define$each" ] || usage "one of -turntable, -to, -bookmarks, -sweep, -define and -each is needed"
 [ -z "$each" ] || [ -z "$engine" ] || usage "-each changes the scene before each frame, so frames cannot be rendered together"
 [ -z "$hosts" ] || [ -f "$hosts" ] || { echo "movie.sh: no such file of hosts: '$hosts'" >&2; exit 3; }
 writer=$rayimg
@@ -77,6 +79,10 @@ for program in "$writer" ${engine:+"$(echo "$engine" | sed s/slurm/sbatch/)"}; d
 done
 case $frames in '' | *[!0-9]* | 0) usage "-frames must be a whole number above 0, got '$frames'" ;; esac
 [ -f "$scene" ] || { echo "movie.sh: no such scene: '$scene'" >&2; exit 3; }
+
+views=$scene.views  # as rayview calls the file of bookmarks
+[ "$way" != tour ] || [ "$(grep -c '^[1-9] camera ' "$views" 2> /dev/null)" -ge 2 ] 2> /dev/null ||
+  { echo "movie.sh: -bookmarks needs two of them in '$views'; Control+1 in rayview keeps a view" >&2; exit 3; }
 
 # Frames keep the command that made them, so the folder is a relative one where that is possible.
 if [ -d build ] && [ -w build ]; then base=build; elif [ -w . ]; then base=.; else base=${TMPDIR:-/tmp}; fi
@@ -94,6 +100,7 @@ case $scene in
     scene=$work/converted.scn ;;
 esac
 : > "$work/about"
+[ "$way" != tour ] || grep '^[1-9] camera ' "$views" | sort >> "$work/about"
 if [ "$way" ]; then
   "$raypro" "$scene" -convert "$work/whole.scn" ${define:+"-define=$define=$least"} -allow_path "$allowed" -quiet 2> "$work/said" ||
     { cat "$work/said" >&2; exit 3; }
@@ -105,6 +112,13 @@ awk -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low
   function mix(a, b, t) { return a + (b - a) * t }
   # A vector of the camera around the vertical axis; ca and sa are of the angle.
   function turn(k,   x) { x = ca * from[k] + sa * from[k + 2]; c[k + 2] = -sa * from[k] + ca * from[k + 2]; c[k] = x }
+  # Through four numbers in a row: from the second to the third as t goes from 0 to 1.
+  #   source   Catmull, Rom, A class of local interpolating splines (1974)
+  function spline(a, b, c, d, t) {
+    return b + t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a))) / 2
+  }
+  function view(i, k) { return views[i < 1 ? 1 : i > tours ? tours : i, k] }
+  $2 == "camera" { ++tours; for (k = 1; k <= 12; ++k) views[tours, k] = $(k + 2) }
   $1 == "bounds" { middle_x = ($2 + $6) / 2; middle_z = ($4 + $8) / 2 }
   $1 == "camera" { for (k = 1; k <= 12; ++k) from[k] = $(k + 1) }
   END {
@@ -124,6 +138,13 @@ awk -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low
       if (way == "go") {
         eased = share * share * (3 - 2 * share)
         for (k = 1; k <= 10; ++k) c[k] = mix(from[k], goal[k], eased)
+      }
+      if (way == "tour") {
+        j = int(share * (tours - 1)); if (j > tours - 2) j = tours - 2
+        for (k = 1; k <= 12; ++k) {
+          c[k] = spline(view(j, k), view(j + 1, k), view(j + 2, k), view(j + 3, k), share * (tours - 1) - j)
+          if (frames == 1) c[k] = view(1, k)
+        }
       }
       if (way == "turn") {  # the frame after the last would be the first again
         a = 2 * pi * turns * i / frames; ca = cos(a); sa = sin(a)

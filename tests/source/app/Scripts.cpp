@@ -1,6 +1,7 @@
 // Scripts that users run: what they promise, and that a program which fails is not passed over.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 
@@ -104,6 +105,30 @@ TEST(MovieScript, AVariableGoesFromOneValueToAnother) {
               0);
     EXPECT_EQ(testing::Decode(frames / frame).image, testing::Decode(place / "one.jpg").image) << value;
   }
+}
+
+TEST(MovieScript, ATourGoesThroughTheBookmarksOfTheViewer) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const SceneFolder place(rolled);
+  const std::array<std::string, 3> cameras{"camera 0 2 6  0 -.3 -1  0 1 0  0.4  0.1 100",
+                                           "camera 6 2 1  -1 -.3 0  0 1 0  0.5  0.1 100",
+                                           "camera 0 3 -6  0 -.4 1  0 1 0  0.3  0.1 100"};
+  WriteFile(place.Scene() + ".views", "5 " + cameras[2] + "\n1 " + cameras[0] + "\n2 " + cameras[1] + "\n");
+  const Ended ended =
+      RunScript(place, "movie.sh", "-bookmarks in.scn out.avi -width 32 -height 24 -frames 5 -keep");
+  ASSERT_EQ(ended.status, 0) << ended.said;
+  const auto frames = FramesOf(place, ended);
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const std::string scene = WriteFile(place / "own.scn", std::string(rolled) + cameras[i] + "\n");
+    ASSERT_EQ(testing::RunProgram({scene, place / "one.jpg", "-width", "32", "-height", "24", "-quiet"}).status, 0);
+    EXPECT_EQ(testing::Decode(frames / ("frame0000" + std::to_string(2 * i) + ".jpg")).image,
+              testing::Decode(place / "one.jpg").image);
+  }
+  WriteFile(place.Scene() + ".views", "1 " + cameras[0] + "\n");
+  const Ended refused = RunScript(place, "movie.sh", "-bookmarks in.scn out.avi");
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_TRUE(Has(refused.said, "-bookmarks needs two of them")) << refused.said;
 }
 
 TEST(MovieScript, WhatCannotBeWrittenIsRefusedBeforeTheFirstFrame) {
