@@ -8,7 +8,7 @@
 
 namespace R3 {
 
-/// As many numbers as are worked on together, so that loops over them become vector instructions.
+/// Numbers that are worked on together, so many that loops over them become vector instructions.
 struct Lanes {
   static constexpr std::size_t count = 8;
   alignas(64) double at[count];

@@ -31,7 +31,7 @@ class Viewer {
   bool IsBusy() const { return state_.pictures.IsBusy() || state_.accelerators.IsBusy(); }
   bool IsClosed() const { return state_.is_closed; }
 
-  /// As of the last Update, and changed by time alone a few times a second; see TitleOf.
+  /// The title as of the last Update. Time alone changes it, a few times a second; see TitleOf.
   std::string Title() const;
   /// What it shows, in lines of words, for scripts.
   std::string InWords();

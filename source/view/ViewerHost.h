@@ -59,7 +59,7 @@ class ViewerHost {
   virtual void Print(const std::string& line) = 0;
 
   // A program without options has none to show.
-  /// Those that bear on pictures, topic by topic.
+  /// The options that bear on images, topic by topic.
   virtual std::vector<ShownOption> ShownOptions() { return {}; }
   /// What the viewer goes on with once the option has the value, empty for its default; without a reference. Throws an
   /// exception whose what() is for the user where that cannot be.

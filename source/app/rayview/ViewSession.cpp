@@ -258,7 +258,7 @@ class Session : public ViewerHost {
   }
 
  private:
-  /// Those that make the picture of a job of key S.
+  /// The options that make the image of a job of key S.
   Options OptionsOf(const RenderJob& job) const {
     Options options = options_;
     options.render = job.Settings();

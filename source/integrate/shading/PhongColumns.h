@@ -21,14 +21,14 @@ struct MaterialTraits {
 
   explicit MaterialTraits(const Material& m);
 };
-/// Those of all materials of a scene, found once.
+/// The traits of all materials of a scene, found once.
 class MaterialTraitsOf {
  public:
   /// `materials` outlive it.
   explicit MaterialTraitsOf(std::span<const Material> materials)
       : first_(materials.data()), traits_(materials.begin(), materials.end()) {}
 
-  /// Of one of the materials.
+  /// The traits of one of the materials.
   const MaterialTraits& operator[](const Material& m) const { return traits_[static_cast<std::size_t>(&m - first_)]; }
 
  private:

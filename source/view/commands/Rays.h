@@ -7,11 +7,12 @@
 /// The rays that are traced to be looked at.
 namespace ray {
 
-/// Those of every 25th pixel, of the rendered image if there is one.
+/// Shows or hides the rays of every 25th pixel, of the rendered image if there is one.
 void ToggleGrid(ViewerState& viewer);
-/// Those of the pixel at a position of the drawing: of the rendered image where that is seen there, else of the view.
+/// Shows the rays of the pixel at a position of the drawing: of the rendered image if that is seen there, else of the
+/// view.
 void DebugPixelAt(ViewerState& viewer, const R2::Point& position);
-/// To the pixel next to it, or moves the cross section, whichever was used last.
+/// Goes to the pixel next to it, or moves the cross section, whichever was used last.
 void MoveByArrow(ViewerState& viewer, int right, int up);
 void ForgetPixel(ViewerState& viewer);
 void SaveRays(ViewerState& viewer);

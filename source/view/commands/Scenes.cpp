@@ -17,7 +17,7 @@ void MakeFaces(ViewerState& viewer) {
   viewer.scene.MakeFaces(viewer.settings.render);
 }
 
-/// Those of the scene's own; throws where they cannot be.
+/// Takes the settings that a scene brings; throws if they are impossible.
 void TakeSettings(ViewerState& viewer, const Scene& scene) {
   const auto settings = viewer.host.SettingsWith(scene);
   if (!settings) return;

@@ -113,7 +113,7 @@ class SceneEditor {
   /// that continue. Returns whether it was done.
   bool Do(ViewerState& viewer, const std::string& what, const std::string& key, bool continues,
           const std::function<TextEdits()>& make, const std::optional<EditPlace>& chosen_after = {});
-  /// The same, or once the button is let go: for what continues where reading the scene takes long.
+  /// Does an edit at once, or on release of the button: for edits that continue while reading the scene takes long.
   void DoOrHold(ViewerState& viewer, const std::string& what, const std::string& key, bool continues,
                 const std::function<TextEdits()>& make);
   bool Apply(ViewerState& viewer, const TextEdits& edits, const std::optional<EditPlace>& chosen);

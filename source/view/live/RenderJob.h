@@ -54,7 +54,7 @@ class RenderJob {
   /// The finished picture, the same bit for bit as Render's; null unless IsComplete.
   const RenderResult* Result() const;
 
-  /// Of the crop, or of the whole.
+  /// The image so far: of the crop, or of the whole.
   const Frame& frame() const { return frame_; }
   const RenderSettings& Settings() const { return settings_; }
   Order order() const { return order_; }

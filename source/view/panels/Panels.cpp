@@ -97,7 +97,7 @@ constexpr std::pair<ImGuiKey, Key> key_names[] = {
     {ImGuiKey_Z, Key::z},
 };
 
-/// Those of Dear ImGui, in a context of their own. A frame is made for every event, so that what it leads to does not
+/// Panels by Dear ImGui, in a context of their own. A frame is made for every event, so that what it leads to does not
 /// depend on when something is drawn.
 class ImGuiPanels : public Panels {
  public:

@@ -45,13 +45,13 @@ class Panels {
   virtual bool Take(const Event& event, ViewerState& viewer) = 0;
   /// What is shown from now on. Where that is less, keys and buttons are let go, and text is not entered any more.
   virtual void SetParts(const PanelParts& parts) = 0;
-  /// Of the column, in pixels, when it is next drawn in a drawing so wide.
+  /// The width of the column, in pixels, when it is next drawn in a drawing of width `all`.
   virtual double Width(double all) const = 0;
   /// The height of the status bar, in pixels.
   virtual double HeightOfBar() const = 0;
   /// The size of letters of labels.
   virtual LetterSize Letters() = 0;
-  /// As they are now, with these labels below them.
+  /// Draws the panels as they are now, with these labels below them.
   virtual std::shared_ptr<const PanelDrawing> Draw(ViewerState& viewer, const std::vector<Label>& labels) = 0;
   /// What they say, in lines, hidden by scrolling or not; for scripts.
   virtual std::string Text(ViewerState& viewer) = 0;

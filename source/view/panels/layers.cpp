@@ -22,7 +22,7 @@ ImU32 InkOf(const R2::Color& color) {
   return IM_COL32(R2::ToByte(color.r), R2::ToByte(color.g), R2::ToByte(color.b), 255);
 }
 
-/// As wide as the panel, in the colors of `color_at` from 0 to 1, with what both ends and the middle stand for.
+/// Draws a bar as wide as the panel, in the colors of `color_at` from 0 to 1, labeled at both ends and in the middle.
 template <typename ColorAt>
 void DrawBar(const ColorAt& color_at, const std::string& low, const std::string& middle, const std::string& high) {
   constexpr int pieces = 64;  // finer than eyes tell hues apart
@@ -42,7 +42,7 @@ void DrawBar(const ColorAt& color_at, const std::string& low, const std::string&
   ImGui::TextUnformatted(high.c_str());
 }
 
-/// Of what was hit, nearest and farthest; nothing where nothing was.
+/// The nearest and the farthest depth of what was hit; nothing if nothing was.
 std::optional<std::pair<double, double>> DepthsOf(const Frame& frame) {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
   std::vector<float> row;
