@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tests/Project.h"
+#include "tests/source/app/Program.h"
 
 namespace {
 
@@ -38,13 +39,13 @@ std::vector<fs::path> Tables() {
 
 /// The sources that `make unit` compiles for a test.
 std::vector<std::string> SourcesOfUnit(const std::string& test) {
-  const fs::path list = fs::path(testing::TempDir()) / "raypro-unit-sources";
+  const ray::testing::TemporaryFolder folder;  // of its own, since other tests may ask at the same time
+  const fs::path list(folder / "sources");
   const std::string command =
       "'" + (project::Root() / "script/unit_sources.sh").string() + "' " + test + " > '" + list.string() + "'";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   std::ifstream in(list);
   const std::vector<std::string> sources{std::istream_iterator<std::string>(in), {}};
-  fs::remove(list);
   return sources;
 }
 

@@ -68,10 +68,10 @@ TEST(JobStatus, SaysUntilStoppedWhereThereIsNoEnd) {
 }
 
 TEST(JobStatus, OfRowsTellsTheRow) {
-  const testing::Gated gated(16 * 4);
+  const testing::Gated gated(16 * 8);  // a row of blocks
   RenderJob job(gated.scene, Small(), Order::rows);
-  while (job.RowsDone() != 4 || gated.gate->Waiting() == 0) std::this_thread::yield();
-  EXPECT_TRUE(Begins(StatusOf(job), "row 4 of 16 25 % ")) << StatusOf(job);
+  while (job.RowsDone() != 8 || gated.gate->Waiting() == 0) std::this_thread::yield();
+  EXPECT_TRUE(Begins(StatusOf(job), "row 8 of 16 50 % ")) << StatusOf(job);
   gated.gate->Open(1 << 20);
 }
 
