@@ -221,8 +221,8 @@ std::string Options::Show(const OptionKind& option) const {
                           return ToText(crop->x0) + " " + ToText(crop->y0) + " " + ToText(crop->x1) + " " +
                                  ToText(crop->y1);
                         },
-                        [this](const PixelRequest&) { return std::string(); },
-                        [this](const Request&) { return std::string(); },
+                        [](const PixelRequest&) { return std::string(); },
+                        [](const Request&) { return std::string(); },
                     },
                     option.value);
 }
