@@ -313,10 +313,13 @@ void Path::AddEmitted(const PathFront& front, const PathFront::Scattered& scatte
     R2::Color emitted, ambient;
     if (emits) {
       CountCaustic(step, hit.material->emission, state);
-      of_path += emitted = Emitted(step, hit);
+      emitted = Emitted(step, hit);
+      of_path += emitted;
     }
-    if (has_ambient)
-      of_path += ambient = hit.path.throughput * hit.AmbientReflectance(world_) * world_.scene().ambient;
+    if (has_ambient) {
+      ambient = hit.path.throughput * hit.AmbientReflectance(world_) * world_.scene().ambient;
+      of_path += ambient;
+    }
     Tracer::RecordHit(hit, emitted + ambient, state);
   }
 }
