@@ -44,6 +44,14 @@ double Pow(double x, double y);    // .55 ulp; .76 where the result is subnormal
 double Cbrt(double x);             // .55 ulp
 double Hypot(double x, double y);  // .55 ulp; .76 where the result is subnormal
 
+/// std::floor, but for the sign of zero, in half the instructions where processors without SSE4.1 count too.
+inline double Floor(double x) {
+  constexpr double whole_from = 0x1p52;
+  if (!(std::abs(x) < whole_from)) return x;
+  const auto towards_zero = static_cast<double>(static_cast<std::int64_t>(x));
+  return towards_zero - static_cast<double>(towards_zero > x);
+}
+
 /// x^n by repeated squaring: a relative error of at most (n - 1) 2^-53, which is what a rounding error of x itself
 /// becomes, and few instructions.
 inline double WholePower(double x, std::uint32_t n) {

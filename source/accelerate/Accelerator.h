@@ -64,12 +64,10 @@ class Accelerator {
   }
   void IsOccluded(std::span<const R3::Ray> rays, bool* are_occluded, Workspace& workspace) const {
     AnyOfEach(rays, are_occluded, workspace);
-    if (has_unbounded_) [[unlikely]]
-      for (std::size_t i = 0; i < rays.size(); ++i)
-        are_occluded[i] = are_occluded[i] || (IsRay(rays[i]) && IsBehindUnbounded(rays[i], workspace));
-    std::uint64_t hits = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) hits += are_occluded[i];
-    workspace.counts.hits += hits;
+    if (!has_unbounded_) return;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      if (!are_occluded[i] && IsRay(rays[i]) && IsBehindUnbounded(rays[i], workspace))
+        are_occluded[i] = true, ++workspace.counts.hits;
   }
 
   /// The hits that are coincident with one that Intersect found, it included, the lowest primitive first; see
@@ -98,10 +96,12 @@ class Accelerator {
         ++workspace.counts.bad_rays;
     }
   }
+  /// What Any finds for each of the rays; counts hits, and what is no ray.
   virtual void AnyOfEach(std::span<const R3::Ray> rays, bool* are_occluded, Workspace& workspace) const {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const bool is_ray = IsRay(rays[i]);
       are_occluded[i] = is_ray && Any(rays[i], workspace);
+      workspace.counts.hits += are_occluded[i];
       workspace.counts.bad_rays += !is_ray;
     }
   }

@@ -109,7 +109,7 @@ void Path::SampleLight(int light, const PathFront& front, TraceState& state) con
   for (std::uint32_t i = 0; i < samples.count; ++i) samples.color.Set(i, front.throughputs[i] * samples.color[i]);
   ShadowStarts starts;
   MakeShadowStarts(front.normals, front.clearances, world_.scene().shadow_bias, samples, starts);
-  tracer_.AddShadowRays([&](std::uint32_t i) -> const ShadingPoint& { return front.points[i]; },
+  tracer_.AddShadowRays([&](std::uint32_t i) { return ShadowOrigin(front.points[i]); },
                         [](std::uint32_t i) { return i; }, samples, starts,
                         {.to_light = {}, .is_infinite = source.IsInfinite(), .reaching = source.Reached()}, no_more,
                         [&] { return source.Describe(); }, state);

@@ -60,6 +60,8 @@ struct TraceState {
   RayCounts rays;
   std::vector<R3::Ray> batch;  // camera rays
   std::vector<std::optional<WorldHit>> hits;
+  std::vector<std::uint32_t> ray_of;  // which of the camera rays led to each point
+  std::vector<R2::Color> sent_back;   // by each of their points
   std::vector<PendingPath> pending;
   // What rays point to that wait, or that have gone through a surface.
   Arena<R3::Departure> departures;

@@ -19,21 +19,21 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
   state.Begin();
   IntersectCameraRays(accelerator_, samples, state);
   std::vector<ShadingPoint> points;
-  std::vector<std::uint32_t> ray_of;
-  points.reserve(samples.size()), ray_of.reserve(samples.size());
+  points.reserve(samples.size());
+  state.ray_of.clear();
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    if (state.hits[i]) {
-      points.emplace_back(samples[i].ray, PathState{.index = samples[i].index}, *state.hits[i]);
-      ray_of.push_back(i);
-    }
-    if (state.hits[i] && media_.AreNeeded() && !StartInMedia(state.batch[i], points.back(), state)) {
-      points.pop_back(), ray_of.pop_back();
-      state.hits[i].reset();
+    std::optional<WorldHit>& hit = state.hits[i];
+    if (hit) {
+      ShadingPoint& p = points.emplace_back(samples[i].ray, samples[i].index, *hit);
+      if (media_.AreNeeded() && !StartInMedia(state.batch[i], p, state))
+        points.pop_back(), hit.reset();
+      else
+        state.ray_of.push_back(i);
     }
     if (state.recorder) [[unlikely]]
-      RecordCameraRay(samples[i], state.hits[i] ? &points.back() : nullptr, state);
+      RecordCameraRay(samples[i], hit ? &points.back() : nullptr, state);
   }
-  Complete(ray_of, points, state);
+  Complete(state.ray_of, points, state);
   return points;
 }
 
@@ -60,16 +60,23 @@ void Tracer::RecordCameraRay(const CameraSample& sample, ShadingPoint* hit, Trac
     state.recorder->Misses(record, Background(world_.scene(), sample.ray.direction));
 }
 
+void Tracer::FindOccluded(std::span<const R3::Ray> shadow_rays, std::span<bool> are_occluded, TraceState& state) const {
+  if (!shadows_) {
+    std::ranges::fill(are_occluded, false);
+    return;
+  }
+  if (shadow_rays.size() == 1)
+    are_occluded[0] = accelerator_.IsOccluded(shadow_rays[0], state.workspace);
+  else
+    accelerator_.IsOccluded(shadow_rays, are_occluded.data(), state.workspace);
+  state.Count(RayKind::shadow, shadow_rays.size());
+}
+
 void Tracer::TraceShadowRays(TraceState& state) const {
   ShadowRays& shadows = state.shadows;
-  std::array<bool, ShadowRays::capacity> are_occluded{};
-  if (shadows_ && shadows.count > 0) {
-    if (shadows.count == 1)
-      are_occluded[0] = accelerator_.IsOccluded(shadows.rays[0], state.workspace);
-    else
-      accelerator_.IsOccluded(shadows.Rays(), are_occluded.data(), state.workspace);
-    state.Count(RayKind::shadow, shadows.count);
-  }
+  if (shadows.count == 0) return;
+  std::array<bool, ShadowRays::capacity> are_occluded;
+  FindOccluded(shadows.Rays(), are_occluded, state);
   if (state.recorder) [[unlikely]]
     state.recorder->EndShadows([&](std::size_t i) { return are_occluded[i]; }, world_, accelerator_, state.workspace);
   for (std::size_t i = 0; i < shadows.count; ++i)

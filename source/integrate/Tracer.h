@@ -90,26 +90,28 @@ class Tracer {
     AddReflected(p, index, reflected, throughput, describe, state);
   }
   /// Adds shadow rays towards samples of one light, whose colors are what is reflected of them.
-  ///   point_of   gives the point that sees a sample, by the sample's number, and `index_of` the number of that point
-  ///   light      says all but the way
-  template <typename PointOf, typename IndexOf, typename Describe>
-  void AddShadowRays(const PointOf& point_of, const IndexOf& index_of, const LightSamples& samples,
+  ///   origin_of   gives the ShadowOrigin of the point that sees a sample, by the sample's number, and `index_of` the
+  ///               number of that point
+  ///   light       says all but the way
+  template <typename OriginOf, typename IndexOf, typename Describe>
+  void AddShadowRays(const OriginOf& origin_of, const IndexOf& index_of, const LightSamples& samples,
                      const ShadowStarts& starts, const ShadowTarget& light, const R2::Color& throughput,
                      const Describe& describe, TraceState& state) const {
     const double end = EndOf(light);
     for (std::uint32_t k = 0; k < samples.count; ++k) {
       const R2::Color reflected = samples.color[k];
       if (IsBlack(reflected)) continue;
-      const ShadingPoint& p = point_of(k);
+      const ShadowOrigin& from = origin_of(k);
+      const ShadingPoint& p = *from.point;
       const R3::Vector to_light = samples.to_light[k];
       if (p.IsBehindSurface(to_light)) continue;
       // Number by number: whole vectors would be copied by way of the stack, and wait for it.
       R3::Ray& ray = state.shadows.Next();
-      ray.origin.x = p.free_point.x, ray.origin.y = p.free_point.y, ray.origin.z = p.free_point.z;
+      ray.origin.x = from.place.x, ray.origin.y = from.place.y, ray.origin.z = from.place.z;
       ray.direction.x = to_light.x, ray.direction.y = to_light.y, ray.direction.z = to_light.z;
       ray.t_min = starts.begin[k], ray.t_max = end;
-      ray.time = p.time;
-      ray.leaving = LeavingTowards(p, starts.facing[k]), ray.leaving_until = R3::infinity;
+      ray.time = from.time;
+      ray.leaving = starts.facing[k] > 0 ? from.leaving : -1, ray.leaving_until = R3::infinity;
       ray.reaching = light.reaching;
       ray.departure = &p.departure;
       AddReflected(p, index_of(k), reflected, throughput, describe, state);
@@ -118,6 +120,8 @@ class Tracer {
   void TraceShadowRays(TraceState& state) const;
 
  private:
+  /// Which shadow rays something stops; none where there are no shadows.
+  void FindOccluded(std::span<const R3::Ray> shadow_rays, std::span<bool> are_occluded, TraceState& state) const;
   /// Takes a camera ray on to the surface that it sees; false where it sees none.
   bool StartInMedia(R3::Ray& ray, ShadingPoint& p, TraceState& state) const;
   /// `hit` is null where it hits nothing.

@@ -65,7 +65,8 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
 
 void Whitted::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
   std::vector<ShadingPoint> points = tracer_.CameraHits(samples, state);
-  std::vector<R2::Color> sent_back(points.size());
+  std::vector<R2::Color>& sent_back = state.sent_back;
+  sent_back.resize(points.size());
   Shade(points, sent_back, state);
   for (std::size_t i = 0, point = 0; i < samples.size(); ++i)
     if (state.hits[i]) {
@@ -103,8 +104,11 @@ R2::Color Whitted::Follow(const ShadingPoint& first, const R2::Color& radiance, 
   return sum;
 }
 
-int Whitted::PushSpawned(const ShadingPoint& p, int room, TraceState& state) const {
-  if (IsDiffuse(*p.material)) return 0;
+inline int Whitted::PushSpawned(const ShadingPoint& p, int room, TraceState& state) const {
+  return IsDiffuse(*p.material) ? 0 : PushSpecular(p, room, state);
+}
+
+int Whitted::PushSpecular(const ShadingPoint& p, int room, TraceState& state) const {
   if (p.path.depth >= settings_.max_depth) {
     state.rays.EndAt(Luminance(p.path.throughput * SpecularReflectance(p, settings_)));
     return 0;
@@ -201,8 +205,10 @@ void Whitted::AddSamples(const LightSource& light, const ShadingPoint& p, std::s
   ReflectByPhong(p, weight, samples);
   ShadowStarts starts;
   MakeShadowStarts(p, samples, starts);
-  tracer_.AddShadowRays([&](std::uint32_t) -> const ShadingPoint& { return p; }, [&](std::uint32_t) { return index; },
-                        samples, starts, {}, p.path.throughput, [&] { return light.Describe(); }, state);
+  const ShadowOrigin origin(p);
+  tracer_.AddShadowRays([&](std::uint32_t) -> const ShadowOrigin& { return origin; },
+                        [=](std::uint32_t) { return index; }, samples, starts, {}, p.path.throughput,
+                        [&] { return light.Describe(); }, state);
 }
 
 void Whitted::AddArrived(std::span<R2::Color> radiances, TraceState& state) const {

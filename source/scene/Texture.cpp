@@ -1,7 +1,8 @@
 #include "source/scene/Texture.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "R1/Elementary.h"
 
 namespace ray {
 namespace {
@@ -20,12 +21,11 @@ double Share(double position, double floor, int texels) {
 }
 
 Neighbors Around(double coordinate, int texels) {
-  const double wrapped = coordinate - std::floor(coordinate);  // in [0, 1]; 1 only by rounding
+  const double wrapped = coordinate - R1::Floor(coordinate);  // in [0, 1]; 1 only by rounding
   const double position = wrapped * texels - 0.5;
-  const double floor = std::floor(position);
-  const auto wrap = [&](int k) { return k < 0 ? k + texels : k >= texels ? k - texels : k; };
-  const int k = static_cast<int>(floor);
-  return {wrap(k), wrap(k + 1), Share(position, floor, texels)};
+  const double floor = R1::Floor(position);
+  const int k = static_cast<int>(floor);  // in [-1, texels - 1]
+  return {k < 0 ? texels - 1 : k, k + 1 < texels ? k + 1 : 0, Share(position, floor, texels)};
 }
 
 R2::Color Between(const R2::Color& a, const R2::Color& b, double share) { return (1 - share) * a + share * b; }
@@ -50,7 +50,7 @@ R2::Color Texture::At(const R2::Point& uv, const R3::VEnds& ends) const {
     const Neighbors x = Around(uv.x, image.Width()), y = Around(uv.y, image.Height());
     return Between(InRow(image, x, y.first), InRow(image, x, y.second), y.share);
   }
-  const double position = uv.y * image.Height() - 0.5, floor = std::floor(position);
+  const double position = uv.y * image.Height() - 0.5, floor = R1::Floor(position);
   const int row = static_cast<int>(floor);
   return Between(InRowOrBeyond(image, uv.x, row, ends), InRowOrBeyond(image, uv.x, row + 1, ends),
                  Share(position, floor, image.Height()));

@@ -243,6 +243,19 @@ TEST(Elementary, ATurnInQuartersIsExactAndInPartsWithinEightTenthsOfAnUlp) {
   EXPECT_LE(worst.error, 0.8) << worst.Where();
 }
 
+TEST(Elementary, TheFloorIsThatOfTheCLibraryForEveryDouble) {
+  const auto check = [](double x) {
+    if (std::isnan(x))
+      EXPECT_TRUE(std::isnan(R1::Floor(x)));
+    else
+      EXPECT_EQ(R1::Floor(x), std::floor(x)) << x;
+  };
+  for (const double edge : {0.0, 1.0, 0.5, 0x1p31, 0x1p51, 0x1p52, 0x1p53, 0x1p62, 0x1p63, 0x1p64, 1e300, least, infinity, nan})
+    for (const double x : {edge, std::nextafter(edge, 0), std::nextafter(edge, infinity)}) check(x), check(-x);
+  Draw draw(1);
+  for (int i = 0; i < 100'000; ++i) check(std::ldexp(draw.Between(-1, 1), draw.Whole(-70, 70)));
+}
+
 TEST(Elementary, ResultsThatDoublesHoldAreExact) {
   for (int i = -40; i <= 40; ++i) {
     EXPECT_EQ(R1::Exp2(i), std::ldexp(1, i));

@@ -73,7 +73,7 @@ bool StaysInside(RoomStage& r, Draw& draw, bool at_seam, std::uint64_t& rays) {
   constexpr int bounces = 8;
   R3::Ray ray{.origin = r.room.Inside()};
   ray.direction = Unit((at_seam ? r.room.OnSeam() : r.room.OnWall()) - ray.origin);
-  ShadingPoint p({}, {}, {});
+  ShadingPoint p({}, PathState{}, {});
   for (int bounce = 0; bounce <= bounces; ++bounce) {
     ++rays;
     const auto hit = r.accelerator->Intersect(ray, r.workspace);

@@ -42,7 +42,7 @@ class PacketTraversal {
   }
 
   int Size() const { return static_cast<int>(rays_.size()); }
-  bool IsAnswered(int i) const { return answered_ >> i & 1; }
+  std::uint32_t Answered() const { return answered_; }
 
   HWY_INLINE void Search() {
     if (Size() > few_rays && !Child::IsNothing(tree_.root) &&
@@ -388,7 +388,8 @@ class PacketTraversal {
   alignas(NearestHit) std::byte nearest_[(any ? 1 : packet_size) * sizeof(NearestHit)];
 };
 
-/// FindNearest or FindAny for each of the rays: the same answers, since the exact test decides in the end.
+/// FindNearest or FindAny for each of the rays: the same answers, since the exact test decides in the end. Hits of
+/// `any` are counted.
 template <bool any>
 void TracePackets(const TwoLevel<Tree>& two_level, std::span<const R3::Ray> rays,
                   std::conditional_t<any, bool, std::optional<WorldHit>>* answers, Counts& counts) {
@@ -398,7 +399,9 @@ void TracePackets(const TwoLevel<Tree>& two_level, std::span<const R3::Ray> rays
       std::optional<WorldHit> none;
       PacketTraversal<true> traversal(two_level, packet, &none, counts);
       traversal.Search();
-      for (int i = 0; i < traversal.Size(); ++i) *answers++ = traversal.IsAnswered(i);
+      counts.hits += static_cast<std::uint64_t>(std::popcount(traversal.Answered()));
+      std::fill_n(answers + first, packet.size(), false);
+      ForEachBit(traversal.Answered(), [&](int i) { answers[first + static_cast<std::size_t>(i)] = true; });
     } else {
       PacketTraversal<false>(two_level, packet, answers + first, counts).Search();
     }

@@ -137,12 +137,13 @@ bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& struct
   const PrimRef what = structure.primitives[primitive];
   const Instance& instance = two_level.world->Instances()[what.instance];
   if (what.element != PrimRef::whole && instance.BeginOf(ray, what.element) == R3::infinity) return false;
-  std::optional<R3::Ray> there;
-  const R3::Ray& local = instance.frame == 0 ? ray : there.emplace(two_level.world->Back(instance.frame, ray));
-  if (what.element == PrimRef::whole)
-    return Search<any>(two_level, two_level.structures[static_cast<std::size_t>(instance.shared) + 1], local,
-                       distance_in_world, what.instance, nearest, counts);
-  return TestElement<any>(what.instance, what.element, local, nearest, counts) && any;
+  const auto test = [&](const R3::Ray& local) {
+    if (what.element == PrimRef::whole)
+      return Search<any>(two_level, two_level.structures[static_cast<std::size_t>(instance.shared) + 1], local,
+                         distance_in_world, what.instance, nearest, counts);
+    return TestElement<any>(what.instance, what.element, local, nearest, counts) && any;
+  };
+  return instance.frame == 0 ? test(ray) : test(two_level.world->Back(instance.frame, ray));
 }
 
 /// Tests what a traversal comes by. With `any`, an occlusion ray's, the first hit answers. Otherwise triangles that the

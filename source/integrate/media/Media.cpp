@@ -29,13 +29,6 @@ std::vector<std::uint32_t> Media::Around(const R3::Point& p) const {
   return around;
 }
 
-MediumSets::Number Media::At(const R3::Ray& ray, TraceState& state) const {
-  auto& last = state.last_camera_ray;
-  if (!last || !(last->origin == ray.origin && last->time == ray.time)) [[unlikely]]
-    last = {ray.origin, ray.time, Find(ray, state)};
-  return last->media;
-}
-
 /// Along the ray, a solid that is first left was around its start. Found once for many rays, this is no ray's cost, or
 /// costs would depend on which thread finds it.
 MediumSets::Number Media::Find(const R3::Ray& ray, TraceState& state) const {

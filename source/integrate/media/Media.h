@@ -13,8 +13,7 @@ namespace ray {
 /// outside, and leaves it where light goes through from inside. MediumSets tells what fills a place inside several
 /// solids.
 ///   - A surface with one material on both sides is not there for rays. So water that overlaps the wall of its glass by
-///   a
-///     hair, or touches it, is bounded by glass, and not by a film of air or of water.
+///     a hair, or touches it, is bounded by glass, and not by a film of air or of water.
 ///   - Light is refracted between what fills the places on both sides of a surface.
 ///   - What a path is inside of absorbs light on the way to whatever the path meets, and on the way to lights.
 /// Meshes that are not closed have no inside: the back of a triangle is the inner side, whatever else is there.
@@ -28,7 +27,12 @@ class Media {
   bool AreAbsorbing() const { return are_absorbing_; }
 
   /// What a camera ray starts inside of.
-  MediumSets::Number At(const R3::Ray& ray, TraceState& state) const;
+  MediumSets::Number At(const R3::Ray& ray, TraceState& state) const {
+    auto& last = state.last_camera_ray;
+    if (!last || !(last->origin == ray.origin && last->time == ray.time)) [[unlikely]]
+      last = {ray.origin, ray.time, Find(ray, state)};
+    return last->media;
+  }
   /// Whether Arrive does nothing to a path: it was not inside of several solids or one that absorbs, and goes into the
   /// first or out of the last.
   bool IsPlain(const R3::Ray& ray, const PathState& path, const WorldHit& hit) const {

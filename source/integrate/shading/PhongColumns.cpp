@@ -12,13 +12,39 @@ struct PhongSurface {
   R2::Color shown{1, 1, 1};  // by a specular map
 };
 
+/// Exponents of one surface. R1::WholePower of all, a bit of the exponent after the other.
+struct OneExponent {
+  std::uint64_t exponent;
+
+  [[gnu::always_inline]] void Raise(std::uint32_t count, double* __restrict cosines, double* __restrict powers) const {
+    for (std::uint64_t rest = exponent; rest != 0; rest >>= 1) {
+      if (rest & 1)
+        for (std::uint32_t i = 0; i < count; ++i) powers[i] *= cosines[i];
+      if (rest > 1)
+        for (std::uint32_t i = 0; i < count; ++i) cosines[i] *= cosines[i];
+    }
+  }
+};
+
+/// Those of a surface for each sample.
+struct ExponentOfEach {
+  const std::uint64_t* exponents;
+  std::uint64_t bits;  // that any of them has
+
+  [[gnu::always_inline]] void Raise(std::uint32_t count, double* __restrict cosines, double* __restrict powers) const {
+    for (int bit = 0; bits >> bit != 0; ++bit)
+      for (std::uint32_t i = 0; i < count; ++i) {
+        powers[i] *= exponents[i] >> bit & 1 ? cosines[i] : 1;
+        cosines[i] *= cosines[i];
+      }
+  }
+};
+
 /// Makes of the color of each sample the weight times PhongReflection, bit for bit.
-///   surface_of, exponent_of   by the sample's number
-///   exponent_bits             those that any of the exponents has
-template <typename SurfaceOf, typename ExponentOf>
-[[gnu::always_inline]] inline void ReflectEach(const SurfaceOf& surface_of, const ExponentOf& exponent_of,
-                                               std::uint64_t exponent_bits, bool has_highlights, double weight,
-                                               LightSamples& __restrict samples) {
+///   surface_of   by the sample's number
+template <typename SurfaceOf, typename Exponents>
+[[gnu::always_inline]] inline void ReflectEach(const SurfaceOf& surface_of, const Exponents& exponents,
+                                               bool has_highlights, double weight, LightSamples& __restrict samples) {
   const std::uint32_t count = samples.count;
   const double most = has_highlights ? 1 : 0;
   alignas(64) LightSamples::Each cosine, mirrored, lobe;
@@ -31,12 +57,7 @@ template <typename SurfaceOf, typename ExponentOf>
     mirrored[i] = LobeCosine(s.wo, s.N, L);
     lobe[i] = mirrored[i] > 0 ? most : 0;
   }
-  // R1::WholePower of all, a bit of the exponents after the other.
-  for (int bit = 0; exponent_bits >> bit != 0; ++bit)
-    for (std::uint32_t i = 0; i < count; ++i) {
-      lobe[i] *= exponent_of(i) >> bit & 1 ? mirrored[i] : 1;
-      mirrored[i] *= mirrored[i];
-    }
+  exponents.Raise(count, mirrored, lobe);
   for (std::uint32_t i = 0; i < count; ++i) {
     const PhongSurface s = surface_of(i);
     samples.color.Set(i, weight * PhongSum(cosine[i], s.kd, s.shown * (s.ks * lobe[i]), samples.color[i]));
@@ -48,8 +69,7 @@ void ReflectOfOne(const ShadingPoint& p, const R2::Color& shown, double weight, 
   const PhongSurface surface{p.N, p.wo, p.kd, p.material->ks, shown};
   const bool has_highlight = !IsBlack(surface.ks);
   const std::uint64_t exponent = has_highlight ? static_cast<std::uint64_t>(p.material->n) : 0;
-  ReflectEach([=](std::uint32_t) { return surface; }, [=](std::uint32_t) { return exponent; }, exponent, has_highlight,
-              weight, samples);
+  ReflectEach([=](std::uint32_t) { return surface; }, OneExponent{exponent}, has_highlight, weight, samples);
 }
 
 }  // namespace
@@ -65,9 +85,8 @@ void ReflectByPhong(const PhongColumns& surfaces, LightSamples& samples) {
   const auto surface_of = [&](std::uint32_t i) {
     return PhongSurface{surfaces.N[i], surfaces.wo[i], surfaces.kd[i], surfaces.ks[i]};
   };
-  ReflectEach(
-      surface_of, [&](std::uint32_t i) { return surfaces.exponents[i]; }, surfaces.exponent_bits,
-      surfaces.has_highlights, 1, samples);
+  ReflectEach(surface_of, ExponentOfEach{surfaces.exponents, surfaces.exponent_bits}, surfaces.has_highlights, 1,
+              samples);
 }
 
 void ReflectByPhong(const ShadingPoint& p, double weight, LightSamples& samples) {

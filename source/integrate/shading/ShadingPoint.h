@@ -13,6 +13,9 @@ struct ShadingPoint {
   /// What is known at first.
   ShadingPoint(const R3::Ray& ray, const PathState& arriving, const WorldHit& surface)
       : path(arriving), hit(surface), direction(ray.direction), time(ray.time) {}
+  /// That of a camera ray, made in place.
+  ShadingPoint(const R3::Ray& ray, const SampleIndex& index, const WorldHit& surface)
+      : path{.index = index}, hit(surface), direction(ray.direction), time(ray.time) {}
 
   PathState path;  // that led here; its throughput is what is left after the way
   WorldHit hit;
@@ -120,6 +123,15 @@ inline std::int64_t LeavingTowards(const ShadingPoint& surface, double facing) {
 inline double EndOf(const ShadowTarget& light) {
   return light.is_infinite ? R3::infinity : light.reaching < 0 ? 1 : beyond_target;
 }
+/// What the shadow rays from a point have in common, to be read once for all of them.
+struct ShadowOrigin {
+  explicit ShadowOrigin(const ShadingPoint& p) : point(&p), place(p.free_point), time(p.time), leaving(p.leaving) {}
+
+  const ShadingPoint* point;
+  R3::Point place;
+  double time;
+  std::int64_t leaving;  // of rays that stay on the viewer's side
+};
 inline R3::Ray ShadowRay(const ShadingPoint& surface, const ShadowTarget& light) {
   return {.origin = surface.free_point,
           .direction = light.to_light,

@@ -21,7 +21,7 @@ Material MaterialOf(const R2::Color& kd, const R2::Color& ks, const R2::Color& k
 
 /// A point of a level surface seen from above, from outside or from within.
 ShadingPoint PointOf(const Material& material, const R3::Vector& wo, bool entering = true) {
-  ShadingPoint p({}, {}, {});
+  ShadingPoint p({}, PathState{}, {});
   p.material = &material;
   p.kd = material.kd;
   p.wo = Unit(wo);
