@@ -6,6 +6,7 @@
 
 #include "R2/Image.h"
 #include "source/view/Drawing.h"
+#include "source/view/DrawingDetail.h"
 #include "source/view/PanelDrawing.h"
 #include "source/view/camera/CameraMoves.h"
 #include "source/view/camera/FlatView.h"
@@ -36,9 +37,8 @@ struct FrameState {
   PreviewView seen_from;
   std::shared_ptr<const ScenePicture> faces;
   bool shows_faces = true, shows_edges = false, shows_shadows = false;
-  int pixel_step = 1;  // faces, and what is behind them, have one pixel for so many of the view, each way
-  // Faces have several samples per pixel, where they have every pixel, and mirrors show the scene.
-  bool is_smooth = true;
+  DrawingDetail detail;
+  std::shared_ptr<const Surfaces> faces_in_motion;  // where the detail is sparse; null for those of `faces` themselves
   Rgba edge_color{};
   std::shared_ptr<const Lines> lines;
   std::shared_ptr<const Lines> marks;  // likewise, made anew for each view

@@ -27,6 +27,16 @@ void ViewedScene::MakeFaces(const RenderSettings& settings) {
             (IsPreviewed(settings.mode) ? "" : ", which the preview does not show"));
   if (picture.lights.head_light) AddNote("the scene is unlit: seen by a light at the eye");
   faces_ = std::make_shared<const ScenePicture>(std::move(picture));
+  made_for_ = settings;
+  faces_in_motion_.reset();
+}
+
+const std::shared_ptr<const Surfaces>& ViewedScene::FacesInMotion() {
+  constexpr std::size_t enough = 150'000;  // triangles
+  if (!faces_in_motion_ && faces_->surfaces.indices.size() / 3 > enough)
+    faces_in_motion_ =
+        std::make_shared<const Surfaces>(PictureOf(world(), made_for_, space_, budget_in_motion).surfaces);
+  return faces_in_motion_;
 }
 
 void ViewedScene::KeepMistakes(const std::string& file, const std::exception& error) {

@@ -25,6 +25,9 @@ class ViewedScene {
   const World& world() const { return loaded_->world; }
   const DrawingSpace& Space() const { return space_; }
   const std::shared_ptr<const ScenePicture>& Faces() const { return faces_; }
+  /// The same in few triangles, for views that move on a slow renderer; null where Faces are few enough. Made when it
+  /// is first asked for.
+  const std::shared_ptr<const Surfaces>& FacesInMotion();
   /// What is drawn otherwise than it is traced, in words; empty where nothing is.
   const std::string& Notes() const { return notes_; }
   /// Another for each scene that was opened or read again, from 1.
@@ -44,6 +47,8 @@ class ViewedScene {
   std::shared_ptr<const LoadedScene> loaded_;
   DrawingSpace space_;
   std::shared_ptr<const ScenePicture> faces_;
+  RenderSettings made_for_;  // settings of these
+  std::shared_ptr<const Surfaces> faces_in_motion_;
   std::string notes_;
   int number_ = 0;
   std::vector<SceneError> mistakes_;

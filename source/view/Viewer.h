@@ -27,6 +27,8 @@ class Viewer {
   bool Update();
   /// Valid until the next call of Handle or Update.
   FrameState Show();
+  /// What a slow renderer draws instead of the faces while the view moves; null for these themselves.
+  std::shared_ptr<const Surfaces> FacesInMotion() { return state_.scene.FacesInMotion(); }
   /// Whether a picture is being traced, so that Update is soon worth a call.
   bool IsBusy() const { return state_.pictures.IsBusy() || state_.accelerators.IsBusy(); }
   bool IsClosed() const { return state_.is_closed; }

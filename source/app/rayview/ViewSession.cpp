@@ -315,8 +315,8 @@ class Session : public ViewerHost {
     const auto refinement = detail_.RefinementTime();
     if (has_news || (refinement && now >= *refinement)) {
       FrameState shown = viewer_.Show();
-      shown.pixel_step = detail_.StepFor(shown.clip_from_drawing, shown.view, now);
-      shown.is_smooth = detail_.IsSmooth();
+      shown.detail = detail_.For(shown, now);
+      if (shown.detail.is_sparse) shown.faces_in_motion = viewer_.FacesInMotion();
       drawer_.Draw(shown);
       Canvas::Finish();
       detail_.Took(SecondsSince(start_) - now);
@@ -339,7 +339,7 @@ class Session : public ViewerHost {
 
   void Interact() {
     auto last = Clock::now();
-    Draw();
+    DrawForHand();
     while (!viewer_.IsClosed() && StopSignal() == 0) {
       const std::vector<Event> events = window_->Wait(SecondsToWait());
       Happen(TickEvent{SecondsSince(last)});

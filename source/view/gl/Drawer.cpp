@@ -92,16 +92,18 @@ void Drawer::DrawScene(const FrameState& state) {
     surfaces.SetShadows(faces, state.shows_shadows);
     surfaces.DrawProbes(faces);
   }
+  const DrawingDetail& detail = state.detail;
+  if (detail.is_sparse) surfaces.SetFewer(faces, state.faces_in_motion);
   const auto draw = [&] {
     surfaces.DrawSky(faces, state.seen_from);
-    if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from, state.is_smooth);
+    if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from, detail);
   };
   const auto draw_all = [&] {
     painter_.canvas.Fill(state.background);
     draw();
   };
-  if (state.pixel_step > 1) return painter_.coarse.Draw(state.pixel_step, draw_all);
-  if (state.is_smooth) return painter_.coarse.DrawSmoothly(draw_all);
+  if (detail.pixel_step > 1) return painter_.coarse.Draw(detail.pixel_step, draw_all);
+  if (detail.is_smooth) return painter_.coarse.DrawSmoothly(draw_all);
   draw();
 }
 

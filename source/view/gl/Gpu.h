@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -13,11 +14,18 @@
 /// What lists and pictures become on the GPU.
 namespace ray {
 
-struct GpuSurfaces {
-  Buffer vertices, uvs, colors, indices, lights;
+struct GpuTriangles {
+  Buffer vertices, uvs, colors, indices;
   VertexArray shaded;  // with normals and texture coordinates
   VertexArray plain;   // with positions alone
   std::vector<SurfaceBatch> batches;
+};
+
+struct GpuSurfaces {
+  GpuTriangles all;
+  std::shared_ptr<const Surfaces> fewer_of;  // what `fewer` shows; null for none
+  std::optional<GpuTriangles> fewer;
+  Buffer lights;
   std::unordered_map<const Texture*, Texture2D> textures, reliefs;
   std::optional<Texture2D> environment;
   DiffuseLight diffuse_light;

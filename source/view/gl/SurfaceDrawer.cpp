@@ -60,6 +60,7 @@ constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, color_lo
 constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_unit = 3, normal_map_unit = 4,
                 specular_map_unit = 5, probe_unit = 6, probe_depths_unit = 7;
 constexpr int most_texels = 2048;  // per side of a texture or environment: 24 MB in half precision
+constexpr GLint few_lights = 8;    // that a renderer in software shades while the view moves
 constexpr double rim = 0.25;       // brightness at the rim of a full mirror that shows nothing
 
 /// Whether a mode shows the background where there is no surface.
@@ -155,12 +156,30 @@ bool IsFaint(const SurfaceMaterial& m) {
   return IsBlack(m.kt) && m.coat == 0 && std::max({m.kr.r, m.kr.g, m.kr.b}) <= faint;
 }
 
+/// Whether to find first what is seen at each pixel saves more than it costs: it is then shaded once, not once for each
+/// surface that is drawn before something nearer.
+bool IsShadingDear(const SurfacePass& pass) {
+  constexpr std::size_t many_lights = 4;
+  const std::size_t lights =
+      std::min(pass.surfaces.preview_lights.size(), static_cast<std::size_t>(pass.most_lights));
+  return pass.features.mode == RenderMode::whitted && lights >= many_lights;
+}
+
 void DrawTriangles(const SurfaceBatch& batch) {
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.count), GL_UNSIGNED_INT,
                  Offset(batch.first * sizeof(std::uint32_t)));
 }
 
-void UploadTriangles(GpuSurfaces& uploaded, const Surfaces& surfaces) {
+/// Batches that one program shades follow each other, so that programs are changed rarely.
+std::vector<SurfaceBatch> InDrawingOrder(std::vector<SurfaceBatch> batches, const SurfaceFeatures& features) {
+  std::ranges::stable_sort(batches, {}, [&](const SurfaceBatch& batch) {
+    return std::pair(batch.is_clear, Mirrors(batch.material, features));
+  });
+  return batches;
+}
+
+void UploadTriangles(GpuTriangles& uploaded, const Surfaces& surfaces, const SurfaceFeatures& features) {
+  uploaded.batches = InDrawingOrder(surfaces.batches, features);
   assert(std::ranges::all_of(surfaces.indices, [&](auto i) { return i < surfaces.vertices.size(); }));
   glBindVertexArray(uploaded.shaded.Name());  // indices belong to the array bound when they come
   glBindBuffer(GL_ARRAY_BUFFER, uploaded.vertices.Name());
@@ -250,20 +269,15 @@ SurfaceDrawer::SurfaceDrawer() {
 
 std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) const {
   auto uploaded = std::make_shared<GpuSurfaces>();
-  uploaded->batches = picture.surfaces.batches;
   uploaded->diffuse_light = picture.diffuse_light;
   uploaded->background = picture.background;
   uploaded->features = FeaturesOf(picture);
   uploaded->head_light = picture.lights.head_light;
   uploaded->preview_lights = picture.lights.lights;
   uploaded->probes = picture.surfaces.probes;
-  // Batches that one program shades follow each other, so that programs are changed rarely.
-  std::ranges::stable_sort(uploaded->batches, {}, [&](const SurfaceBatch& batch) {
-    return std::pair(batch.is_clear, Mirrors(batch.material, uploaded->features));
-  });
   uploaded->mirror_bounces = picture.mirror_bounces;
   uploaded->look = picture.look;
-  UploadTriangles(*uploaded, picture.surfaces);
+  UploadTriangles(uploaded->all, picture.surfaces, uploaded->features);
 
   UploadLights(*uploaded);
   glActiveTexture(GL_TEXTURE0);
@@ -283,22 +297,34 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const ScenePicture& picture) 
   return uploaded;
 }
 
+void SurfaceDrawer::SetFewer(GpuSurfaces& surfaces, const std::shared_ptr<const Surfaces>& fewer) const {
+  if (surfaces.fewer_of == fewer) return;
+  surfaces.fewer.reset();  // first, so that both are never there at once
+  surfaces.fewer_of = fewer;
+  if (fewer) UploadTriangles(surfaces.fewer.emplace(), *fewer, surfaces.features);
+}
+
 void SurfaceDrawer::SetShadows(GpuSurfaces& surfaces, bool is_on) const {
   if (is_on && !surfaces.shadows) {
-    surfaces.shadow_views = ShadowViewsOf(surfaces.preview_lights, MostShadowViews(surfaces.batches));
+    surfaces.shadow_views = ShadowViewsOf(surfaces.preview_lights, MostShadowViews(surfaces.all.batches));
     const auto& views = surfaces.shadow_views.clip_from_drawing;
     if (views.empty()) return;
-    if (!depth_)
-      depth_ = std::make_unique<ShaderProgram>("shadows", DepthVertexShader().c_str(), DepthFragmentShader().c_str());
-    depth_->Use();
-    glBindVertexArray(surfaces.plain.Name());
+    const ShaderProgram& depth = UseDepth();
+    glBindVertexArray(surfaces.all.plain.Name());
     surfaces.shadows.emplace(FilledShadows(static_cast<int>(views.size()), [&](int map) {
-      SetMatrix((*depth_)["clip_from_drawing"], views[static_cast<std::size_t>(map)]);
-      for (const SurfaceBatch& batch : surfaces.batches) DrawTriangles(batch);
+      SetMatrix(depth["clip_from_drawing"], views[static_cast<std::size_t>(map)]);
+      for (const SurfaceBatch& batch : surfaces.all.batches) DrawTriangles(batch);
     }));
     UploadLights(surfaces);
   }
   surfaces.features.shadows = is_on && surfaces.shadows;
+}
+
+const ShaderProgram& SurfaceDrawer::UseDepth() const {
+  if (!depth_)
+    depth_ = std::make_unique<ShaderProgram>("depths", DepthVertexShader().c_str(), DepthFragmentShader().c_str());
+  depth_->Use();
+  return *depth_;
 }
 
 const ShaderProgram& SurfaceDrawer::ProgramFor(const SurfaceFeatures& features) const {
@@ -390,7 +416,7 @@ void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces&
 
 /// What shines on the surfaces.
 void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& surfaces,
-                              const SurfaceFeatures& features, const PreviewView& view) const {
+                              const SurfaceFeatures& features, const PreviewView& view, GLint most_lights) const {
   std::array<float, 27> diffuse_light{};
   for (std::size_t i = 0; i < 9; ++i)
     std::ranges::copy(AsFloats(surfaces.diffuse_light.factors[i]), diffuse_light.begin() + 3 * i);
@@ -406,24 +432,28 @@ void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& s
     const GpuLight at_eye = AsGpu({.color = {1, 1, 1}, .place = view.eye});
     glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(at_eye), &at_eye);
   }
-  if (surfaces.features.discs)
-    glUniform1i(program["disc_count"],
-                static_cast<GLint>(std::ranges::count(surfaces.preview_lights, true, &PreviewLight::is_disc)));
-  glUniform1i(program["light_count"], surfaces.head_light ? 1 : static_cast<GLint>(surfaces.preview_lights.size()));
+  const auto discs = static_cast<GLint>(std::ranges::count(surfaces.preview_lights, true, &PreviewLight::is_disc));
+  if (surfaces.features.discs) glUniform1i(program["disc_count"], std::min(discs, most_lights));
+  const auto lights = static_cast<GLint>(surfaces.preview_lights.size());
+  glUniform1i(program["light_count"], surfaces.head_light ? 1 : std::min(lights, most_lights));
 }
 
 void SurfaceDrawer::Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const PreviewView& view,
-                         bool shows_mirrors) const {
-  if (surfaces.batches.empty()) return;
+                         const DrawingDetail& detail) const {
+  const GpuTriangles& triangles = detail.is_sparse && surfaces.fewer ? *surfaces.fewer : surfaces.all;
+  if (triangles.batches.empty()) return;
   SurfaceFeatures features = surfaces.features;
-  features.probes = shows_mirrors && !surfaces.probe_maps.empty();
+  features.probes = detail.has_mirrors && !surfaces.probe_maps.empty();
   const bool encodes = view.exposure.srgb && CanEncodeSrgb();
   if (encodes) glEnable(GL_FRAMEBUFFER_SRGB);
 
   // Moved back a little, by their slope and the smallest step of depth, so that lines on them are seen.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 1);
-  DrawBatches({surfaces, features, clip_from_drawing, view, encodes});
+  const GLint most_lights = detail.is_sparse ? few_lights : static_cast<GLint>(most_preview_lights);
+  const SurfacePass pass{surfaces, triangles, features, clip_from_drawing, view, most_lights, encodes};
+  if (IsShadingDear(pass)) DrawDepths(pass);
+  DrawBatches(pass);
   if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glEnable(GL_BLEND);
@@ -439,18 +469,29 @@ const ShaderProgram& SurfaceDrawer::UseFor(const SurfacePass& pass, bool mirrors
   if (pass.is_encoded) glUniform1i(program["srgb"], 0);
   SetMatrix(program["clip_from_drawing"], pass.clip_from_drawing);
   glUniform3fv(program["eye"], 1, pass.view.eye.data());
-  UseLights(program, pass.surfaces, features, pass.view);
+  UseLights(program, pass.surfaces, features, pass.view, pass.most_lights);
   UseMode(program, pass.surfaces, pass.view);
   return program;
 }
 
+void SurfaceDrawer::DrawDepths(const SurfacePass& pass) const {
+  SetMatrix(UseDepth()["clip_from_drawing"], pass.clip_from_drawing);
+  glBindVertexArray(pass.triangles.plain.Name());
+  glEnable(GL_DEPTH_CLAMP);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  for (const SurfaceBatch& batch : pass.triangles.batches)
+    if (!batch.is_clear) DrawOpaque(batch);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDisable(GL_DEPTH_CLAMP);
+}
+
 void SurfaceDrawer::DrawBatches(const SurfacePass& pass) const {
-  glBindVertexArray(pass.surfaces.shaded.Name());
+  glBindVertexArray(pass.triangles.shaded.Name());
   glEnable(GL_DEPTH_CLAMP);  // what has no end goes on behind the farthest depth
   glDisable(GL_BLEND);
   const ShaderProgram* program = nullptr;
   bool program_mirrors = false;
-  for (const SurfaceBatch& batch : pass.surfaces.batches) {
+  for (const SurfaceBatch& batch : pass.triangles.batches) {
     if (pass.probe != no_probe && batch.probe == pass.probe && batch.owns_probe) continue;
     const bool mirrors = Mirrors(batch.material, pass.features);
     if (!program || mirrors != program_mirrors) program = &UseFor(pass, mirrors);
@@ -521,7 +562,8 @@ void SurfaceDrawer::DrawSide(const GpuSurfaces& surfaces, const SurfaceFeatures&
                              int side) const {
   const ProbeSide seen = SideOf(surfaces.probes[probe], side);
   DrawSky(surfaces, seen.view, true);
-  DrawBatches({surfaces, features, seen.clip_from_drawing, seen.view, false, static_cast<int>(probe)});
+  DrawBatches({surfaces, surfaces.all, features, seen.clip_from_drawing, seen.view,
+               static_cast<GLint>(most_preview_lights), false, static_cast<int>(probe)});
 }
 
 void SurfaceDrawer::DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing,
@@ -534,9 +576,9 @@ void SurfaceDrawer::DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& cli
   std::array<GLint, 4> viewport{};
   glGetIntegerv(GL_VIEWPORT, viewport.data());
   glUniform2f((*edges_)["half_size"], static_cast<float>(viewport[2]) / 2, static_cast<float>(viewport[3]) / 2);
-  glBindVertexArray(surfaces.plain.Name());
+  glBindVertexArray(surfaces.all.plain.Name());
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  for (const SurfaceBatch& batch : surfaces.batches) DrawTriangles(batch);
+  for (const SurfaceBatch& batch : surfaces.all.batches) DrawTriangles(batch);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 

@@ -15,9 +15,11 @@ inline constexpr int no_probe = -1;
 /// What all materials of a drawing have in common.
 struct SurfacePass {
   const GpuSurfaces& surfaces;
+  const GpuTriangles& triangles;  // all of the former, or fewer
   SurfaceFeatures features;
   const ClipMatrix& clip_from_drawing;
   const PreviewView& view;
+  GLint most_lights;
   bool is_encoded = false;  // by the framebuffer, so that the shader does not
   int probe = no_probe;     // which sees this, but for what shows that probe
 };
@@ -28,6 +30,8 @@ class SurfaceDrawer {
   SurfaceDrawer();
   /// On the GPU until the pointer goes. Throws ContextError when its memory is full, or the driver rejects a shader.
   std::shared_ptr<GpuSurfaces> Upload(const ScenePicture& picture) const;
+  /// What sparse drawings show instead of all surfaces; null for these.
+  void SetFewer(GpuSurfaces& surfaces, const std::shared_ptr<const Surfaces>& fewer) const;
   /// Draws the shadow maps, once: from now on lights cast shadows where `is_on`. Throws ContextError when memory is
   /// full.
   void SetShadows(GpuSurfaces& surfaces, bool is_on) const;
@@ -36,15 +40,17 @@ class SurfaceDrawer {
   /// The environment over all of the viewport, to be drawn first; nothing for a scene without one.
   void DrawSky(const GpuSurfaces& surfaces, const PreviewView& view, bool for_probe = false) const;
   /// Opaque surfaces first, then clear ones without writing depth.
-  ///   shows_mirrors   whether mirrors show the scene, which is most of the work, or only what surrounds it
   void Draw(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const PreviewView& view,
-            bool shows_mirrors = true) const;
+            const DrawingDetail& detail = {}) const;
   /// Edges of triangles in one color, those of triangles that are small on the screen the fainter.
   void DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
 
  private:
   /// One side of the scene as a probe sees it; but for what shows that probe.
   void DrawSide(const GpuSurfaces& surfaces, const SurfaceFeatures& features, std::size_t probe, int side) const;
+  /// Depths of the opaque surfaces alone.
+  void DrawDepths(const SurfacePass& pass) const;
+  const ShaderProgram& UseDepth() const;
   /// All batches of a pass, in the bound framebuffer.
   void DrawBatches(const SurfacePass& pass) const;
   /// The program of a pass for surfaces that mirror or bend light, or for those that do not, ready but for a material.
@@ -54,7 +60,7 @@ class SurfaceDrawer {
   void Use(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view,
            bool for_probe = false) const;
   void UseLights(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceFeatures& features,
-                 const PreviewView& view) const;
+                 const PreviewView& view, GLint most_lights) const;
   void UseMaterial(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceMaterial& material) const;
   void UseProbe(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceBatch& batch) const;
 

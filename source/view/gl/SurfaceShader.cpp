@@ -11,6 +11,7 @@ layout(location = 1) in vec4 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec3 color;
 uniform mat4 clip_from_drawing;
+invariant gl_Position;  // depths drawn before are those drawn now
 uniform vec2 texture_scale;
 out vec3 position, outward, vertex_color;
 out vec2 place;  // on the texture
@@ -24,6 +25,7 @@ void main() {
 constexpr const char* depth_vertex_shader = R"(
 layout(location = 0) in vec3 at;
 uniform mat4 clip_from_drawing;
+invariant gl_Position;
 void main() { gl_Position = clip_from_drawing * vec4(at, 1); }
 )";
 

@@ -16,6 +16,7 @@
 #include "R1/Elementary.h"
 #include "source/integrate/shading/Bsdf.h"
 #include "source/view/preview/Floats.h"
+#include "source/view/preview/SimplifiedMesh.h"
 
 namespace ray {
 namespace {
@@ -27,11 +28,12 @@ constexpr int usual_fineness = 40;
 constexpr int only_boxes = 0;  // a fineness
 constexpr std::int64_t most_bounces_shown = 4;  // of mirrors in mirrors
 constexpr std::int64_t box_triangles = 12, box_vertices = 8;
+constexpr std::int64_t least_simplified = 200;  // triangles of a mesh, below which it would be a lump
 
 /// How finely to draw, and which share of what can be left out is drawn.
 struct Plan {
   int fineness = only_boxes;
-  double share = 1;
+  double share = 1, mesh_share = 1;  // the latter of the triangles of meshes, by simplifying them
   std::int64_t triangles = 0;  // about as many
 };
 
@@ -61,6 +63,11 @@ Plan PlanFor(const World& world, const PictureBudget& budget) {
     break;
   }
   if (plan.fineness == only_boxes) plan.triangles = least;
+  std::int64_t of_meshes = 0;  // triangles
+  for (const Instance& instance : world.Instances())
+    if (IsDrawn(instance) && instance.mesh) of_meshes += instance.mesh->Elements();
+  if (of_meshes > budget.mesh_triangles)
+    plan.mesh_share = static_cast<double>(budget.mesh_triangles) / static_cast<double>(of_meshes);
   std::int64_t thinned = 0, whole = 0;  // vertices
   for (const Instance& instance : world.Instances()) {
     if (!IsDrawn(instance)) continue;
@@ -174,7 +181,7 @@ class Builder {
         last = nullptr;
         continue;
       }
-      if (instance.shape != last) data_ = instance.shape->Tessellate(std::max(plan_.fineness, 3));
+      if (instance.shape != last) data_ = Triangles(instance);
       last = instance.shape;
       if (instance.mesh && plan_.share < 1 && !IsSmall(instance, world_, budget_)) {
         picture_.left_out +=
@@ -279,6 +286,13 @@ class Builder {
     for (R3::Point& p : data.positions) p = middle + factor * (p - middle);
     for (R2::Point& uv : data.uvs) uv = {factor * uv.x, factor * uv.y};
     return data;
+  }
+
+  R3::MeshData Triangles(const Instance& instance) const {
+    R3::MeshData data = instance.shape->Tessellate(std::max(plan_.fineness, 3));
+    if (!instance.mesh || plan_.mesh_share >= 1) return data;
+    const double wanted = plan_.mesh_share * static_cast<double>(data.triangles.size());
+    return SimplifiedMesh(data, std::max(least_simplified, static_cast<std::int64_t>(wanted)));
   }
 
   void Add(const Instance& instance, const R3::MeshData& data) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "source/render/RenderSettings.h"
 #include "source/view/preview/DiffuseLight.h"
@@ -14,7 +15,11 @@ struct PictureBudget {
   std::int64_t quick_triangles = 40'000;     // up to here more finely than the outline needs
   std::int64_t usual_triangles = 2'000'000;  // up to here as finely as the outline needs
   std::int64_t most_vertices = 12'000'000;   // 4 million triangles of flat meshes, or 1.5 million boxes: some 400 MB
+  std::int64_t mesh_triangles = std::numeric_limits<std::int64_t>::max();  // of all meshes; above, they are simplified
 };
+
+/// What a renderer in software draws in some 20 ms.
+inline constexpr PictureBudget budget_in_motion{0, 60'000, 1'000'000, 60'000};
 
 /// How far from the scene's middle what has no end counts as part of the drawing, in radii of the scene. It is drawn
 /// beyond that, up to where a screen shows no step to the horizon.

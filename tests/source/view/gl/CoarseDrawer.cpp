@@ -28,7 +28,7 @@ class CoarseDrawing : public ray::testing::WithPainter {
     viewer.Handle(ray::KeyEvent{ray::Key::l, {}, true});  // lines
     ray::FrameState shown = viewer.Show();
     shown.panels.reset();  // labels
-    shown.pixel_step = step;
+    shown.detail.pixel_step = step;
     ray::Drawer drawer(*painter);
     drawer.Draw(shown);
     return painter->canvas.Read();

@@ -18,7 +18,7 @@ constexpr int side = 64;
 class Preview : public ray::testing::WithPainter {
  protected:
   R2::Image Drawn(const project::Stage& stage, const ray::RenderSettings& settings, bool with_shadows = false,
-                  bool with_mirrors = true) {
+                  const ray::DrawingDetail& detail = {}) {
     const auto space = ray::DrawingSpace::Of(stage.scene->root.bounds);
     const ray::Exposure exposure{1, settings.srgb};
     const auto picture = PictureOf(stage.world, settings, space);
@@ -34,7 +34,7 @@ class Preview : public ray::testing::WithPainter {
     painter->surfaces.DrawSky(*surfaces, view);
     painter->surfaces.Draw(
         *surfaces, ray::ClipFromDrawing(stage.scene->camera, space, stage.scene->root.bounds, {side, side}), view,
-        with_mirrors);
+        detail);
     return painter->canvas.Read();
   }
 
@@ -223,7 +223,9 @@ TEST_P(Preview, LeavesTheSceneOutOfMirrorsWhenTold) {
                         Material("0 0 0  0 0 0  0 0 0  0 0 0  20 1 0") +
                         "material 0 0 0  0 0 0  1 1 1  0 0 0  0 0 0  20 1 0\n"
                         "box 0 -4 -4 -4  4 4 -3.9  box 0 -4 -4 3.9  4 4 4  sphere 1  0 0 0  1\n"));
-  const auto middle = [&](bool with_mirrors) { return Drawn(stage, {}, false, with_mirrors).At(side / 2, side / 2); };
+  const auto middle = [&](bool with_mirrors) {
+    return Drawn(stage, {}, false, {.has_mirrors = with_mirrors}).At(side / 2, side / 2);
+  };
   EXPECT_GT(middle(true).b, 0.3);   // the wall behind the camera
   EXPECT_GT(middle(false).g, 0.4);  // the background
   EXPECT_LT(middle(false).b, 0.1);
@@ -270,6 +272,31 @@ TEST_P(Preview, HasSoftShadowsFromWideLights) {
   const double without = Differing(soft, 20, {}, false);
   EXPECT_GT(without, 0.04);
   EXPECT_LT(Differing(soft, 20, {}, true), without / 2);
+}
+
+// With many lights, depths are drawn first, so that what is hidden is not shaded.
+TEST_P(Preview, OfManyLightsHasThePixelsOfOneOfFew) {
+  const auto drawn = [this](int lights_too_faint_to_be_seen) {
+    std::string text = camera + "dir_light 0.5 0.6 0.4  -1 -1 -1\n";
+    for (int i = 0; i < lights_too_faint_to_be_seen; ++i) text += "dir_light 1e-9 1e-9 1e-9  1 -1 -1\n";
+    text += Material("0.7 0.6 0.5  0.2 0.2 0.2  0 0 0  0 0 0  20 1 0");
+    for (int i = 0; i < 12; ++i)
+      text += "sphere 0  " + std::to_string(i % 4 - 1.5) + " " + std::to_string(0.2 * i - 1) + " " +
+              std::to_string(0.1 * i) + " 0.6\n";
+    return Drawn(project::Stage(project::FromText(text + "box 0  -2 -2 -1  2 2 0.3\n")), {});
+  };
+  EXPECT_EQ(drawn(2), drawn(0));
+  EXPECT_EQ(drawn(9), drawn(0));
+}
+
+TEST_P(Preview, OfFewLightsIsDarker) {
+  std::string lights;
+  for (int i = 0; i < 20; ++i) lights += "point_light 0.03 0.03 0.03  0 0 5  1 0 0\n";
+  const project::Stage stage(
+      project::FromText(camera + lights + Material("0.9 0.9 0.9  0 0 0  0 0 0  0 0 0  20 1 0") + ball));
+  const double all = Drawn(stage, {}).At(side / 2, side / 2).r;
+  const double few = Drawn(stage, {}, false, {.is_sparse = true}).At(side / 2, side / 2).r;
+  EXPECT_NEAR(few / all, 8.0 / 20, 0.02);
 }
 
 TEST_P(Preview, HasSmoothEdges) {

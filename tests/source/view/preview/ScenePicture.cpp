@@ -159,6 +159,22 @@ TEST(ScenePicture, StaysWithinItsBudgetAndSaysWhatIsMissing) {
   ExpectWithin(part.surfaces, 1.001);
 }
 
+TEST(ScenePicture, OfMotionHasFewTrianglesAndNothingMissing) {
+  ray::Scene scene;
+  const auto mesh = std::make_shared<R3::Mesh>(accelerators::BumpyBall(300, 300));
+  scene.root.children.push_back(accelerators::Leaf(mesh));
+  for (int i = 0; i < 500; ++i)
+    scene.root.children.push_back(accelerators::Leaf(R3::MakeShape("sphere", {0.1 * i, 3, 0, 0.4})));
+  SetBounds(scene.root);
+  const project::Stage stage(std::move(scene));
+  const ray::ScenePicture usual = PictureOf(stage), few = PictureOf(stage, ray::budget_in_motion);
+  EXPECT_GT(Count(usual.surfaces), 180'000u);
+  EXPECT_LT(Count(few.surfaces), 120'000u);
+  EXPECT_GT(Count(few.surfaces), 20'000u);
+  EXPECT_EQ(few.as_boxes + few.left_out, 0);
+  ExpectWithin(few.surfaces, 1.001);
+}
+
 TEST(ScenePicture, OfAHugeMeshIsAnEvenPartBesideWhatIsSmall) {
   ray::Scene scene;
   const auto data = accelerators::BumpyBall(100, 100);
