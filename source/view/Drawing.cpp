@@ -55,4 +55,11 @@ Rgba Faded(Rgba color, std::size_t count, std::size_t most) {
   return color;
 }
 
+Rgba Label::OnLight(const Rgba& color) {
+  constexpr int stronger = 2;
+  const int least = std::min({color[0], color[1], color[2]});
+  const auto channel = [&](std::uint8_t c) { return static_cast<std::uint8_t>(std::min(255, stronger * (c - least))); };
+  return {channel(color[0]), channel(color[1]), channel(color[2]), color[3]};
+}
+
 }  // namespace ray

@@ -64,9 +64,16 @@ struct LetterSize {
 struct Label {
   double x = 0, y = 0;
   std::string text;  // UTF-8
-  Rgba color{255, 255, 255, 255};
+  Rgba color{255, 255, 255, 255};  // light, as on the black behind it
+  bool is_on_dark = false;         // whatever the theme, as what it belongs to is
   /// Opacity of the black behind it: letters as light as (208, 208, 208) keep 4.5 : 1, also where that covers white.
   static constexpr int ground_alpha = 170;
+  /// Opacity of the near white behind it in a light theme: letters of OnLight keep 4.5 : 1, also where that covers
+  /// black.
+  static constexpr int light_ground_alpha = 220;
+  static constexpr std::uint8_t light_ground = 245;
+  /// What stands for a light color there: dark, and of the same hue.
+  static Rgba OnLight(const Rgba& color);
 };
 
 }  // namespace ray

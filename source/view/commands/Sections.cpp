@@ -9,6 +9,11 @@ void ToggleSection(ViewerState& viewer) {
   viewer.notices.Tell(viewer.section.IsShown() ? "cross section on" : "cross section off");
 }
 
+void ShowSection(ViewerState& viewer, SlicePlane plane) {
+  if (!viewer.section.IsShown()) ToggleSection(viewer);
+  while (viewer.section.Plane() != plane) NextPlane(viewer);
+}
+
 void NextPlane(ViewerState& viewer) {
   viewer.section.NextPlane();
   viewer.arrows_move_section = true;

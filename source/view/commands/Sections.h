@@ -8,6 +8,8 @@
 namespace ray {
 
 void ToggleSection(ViewerState& viewer);
+/// Shows the cut along that plane, whatever was shown before.
+void ShowSection(ViewerState& viewer, SlicePlane plane);
 void NextPlane(ViewerState& viewer);
 void MoveSection(ViewerState& viewer, int by);
 /// Makes its drawing again where that is due; it is shown.

@@ -72,8 +72,12 @@ void ToggleLights(ViewerState& viewer) {
 
 void CycleBoxes(ViewerState& viewer) {
   using Boxes = SpaceOverlays::Boxes;
-  Boxes& boxes = viewer.overlays.boxes;
-  boxes = boxes == Boxes::none ? Boxes::nodes : boxes == Boxes::nodes ? Boxes::accelerator : Boxes::none;
+  const Boxes boxes = viewer.overlays.boxes;
+  ShowBoxes(viewer, boxes == Boxes::none ? Boxes::nodes : boxes == Boxes::nodes ? Boxes::accelerator : Boxes::none);
+}
+
+void ShowBoxes(ViewerState& viewer, SpaceOverlays::Boxes boxes) {
+  viewer.overlays.boxes = boxes;
   viewer.notices.RedrawLines();
   viewer.notices.Tell(BoxesOf(viewer));
 }

@@ -16,6 +16,7 @@ void Toggle(ViewerState& viewer, const char* what, bool SpaceOverlays::*shows);
 void ToggleLights(ViewerState& viewer);
 /// Bounding boxes: none, of the scene graph, of the accelerator.
 void CycleBoxes(ViewerState& viewer);
+void ShowBoxes(ViewerState& viewer, SpaceOverlays::Boxes boxes);
 void ChangeBoxLevel(ViewerState& viewer, int by);
 void ToggleHelp(ViewerState& viewer);
 void TogglePanels(ViewerState& viewer);

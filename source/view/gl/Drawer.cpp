@@ -154,7 +154,7 @@ void Drawer::Draw(const FrameState& state) {
   if (state.section) {
     canvas.SetViewport(state.view.width, 0, state.section_size.width, state.section_size.height);
     canvas.Fill(section_ground);
-    lists.Draw(Upload(section_, state.section), as_it_is, 1, 1);
+    lists.Draw(Upload(section_, state.section), as_it_is, width, 1);
   }
   if (state.panels) painter_.panels.Draw(*state.panels, canvas);
 }

@@ -20,7 +20,7 @@ LetterSize LettersOfLabels(double scale) {
   return {static_cast<double>(letter.x), static_cast<double>(letter.y) + std::round(line_spacing * scale)};
 }
 
-void DrawLabels(std::span<const Label> labels, double scale) {
+void DrawLabels(std::span<const Label> labels, double scale, PanelTheme theme) {
   const auto height = static_cast<float>(LettersOfLabels(scale).height),
              margin = static_cast<float>(ground_margin * scale);
   const float space = std::floor((height - ImGui::GetFontSize()) / 2);
@@ -32,9 +32,12 @@ void DrawLabels(std::span<const Label> labels, double scale) {
     const char *begin = label.text.data(), *end = begin + label.text.size();
     const float width = ImGui::CalcTextSize(begin, end).x;
     if (width == 0) continue;
-    const auto& [red, green, blue, alpha] = label.color;
+    const bool is_light = theme == PanelTheme::light && !label.is_on_dark;
+    const auto& [red, green, blue, alpha] = is_light ? Label::OnLight(label.color) : label.color;
+    const int gray = is_light ? Label::light_ground : 0;
+    const int opacity = (is_light ? Label::light_ground_alpha : Label::ground_alpha) * alpha / 255;
     list.AddRectFilled({left - margin, top}, {left + width + margin, top + height},
-                       IM_COL32(0, 0, 0, Label::ground_alpha * alpha / 255));
+                       IM_COL32(gray, gray, gray, opacity));
     list.AddText({left, top + space}, IM_COL32(red, green, blue, alpha), begin, end);
   }
 }

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "source/view/Drawing.h"
+#include "source/view/panels/Panels.h"
 
 namespace ray {
 
@@ -10,7 +11,7 @@ namespace ray {
 ///   scale   pixels per unit of length
 LetterSize LettersOfLabels(double scale);
 
-/// Writes labels behind all panels, each over a dark ground, from where they say to where they end.
-void DrawLabels(std::span<const Label> labels, double scale);
+/// Writes labels behind all panels, each over a ground of the theme, from where they say to where they end.
+void DrawLabels(std::span<const Label> labels, double scale, PanelTheme theme);
 
 }  // namespace ray

@@ -338,7 +338,7 @@ class ImGuiPanels : public Panels {
     items_.clear();
     ImGui::NewFrame();
     PanelFrame frame(viewer, Scale(), items_);
-    DrawLabels(labels_, Scale());
+    DrawLabels(labels_, Scale(), look_.theme);
     text_.clear();
     if (parts_.column) {
       DrawColumn(frame);

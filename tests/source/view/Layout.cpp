@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "source/view/HelpText.h"
 #include "tests/source/view/Contrast.h"
 #include "tests/source/view/ScriptedViewer.h"
 #include "tests/source/view/WithOptions.h"

@@ -117,7 +117,9 @@ TEST_F(PanelContrast, LettersOfEveryPanelAreReadInBothThemesWhateverIsBehindThem
     for (const char* item : {"camera ", "to lights", "Pixel", "Settings", "light", "-mode", "path", "-samples"})
       Click(item);
     Do("key Escape");
-    for (const char* item : {"Settings", "Layers", "live", "depth"}) Click(item);
+    for (const char* item : {"Settings", "Display", "faces", "boxes of the scene graph", "slide level", "cut along xz",
+                             "no cut", "slide view angle", "Display", "Layers", "live", "depth"})
+      Click(item);
     Do("wait trace");
     for (const char* item :
          {"Layers", "Statistics", "Accelerators", "compare all", "Accelerators", "Look", "larger", "smaller", "Look",
@@ -125,6 +127,43 @@ TEST_F(PanelContrast, LettersOfEveryPanelAreReadInBothThemesWhateverIsBehindThem
       Click(item);
     Do("key H");
     Click("search");
+  }
+}
+
+/// Black and near white are the grounds of labels, whatever their opacity.
+int GroundsOf(const PanelDrawing& drawing, int gray) {
+  int count = 0;
+  for (const Triangle& t : TrianglesOf(drawing)) {
+    const Rgba& c = t.corners[0].color;
+    count += !t.IsLetter() && c[0] == gray && c[1] == gray && c[2] == gray && c[3] > 0 && c[3] < 255;
+  }
+  return count;
+}
+
+TEST_F(PanelContrast, LabelsOverTheViewAreReadInBothThemesAndAreOfTheTheme) {
+  for (const PanelTheme theme : {PanelTheme::dark, PanelTheme::light}) {
+    SCOPED_TRACE(theme == PanelTheme::dark ? "dark" : "light");
+    const int own = theme == PanelTheme::dark ? 0 : Label::light_ground;
+    const int other = theme == PanelTheme::dark ? Label::light_ground : 0;
+    Open(project::Root() / "scenes/hello.scn");
+    viewer_->ShowPanels({theme});
+    Do("key Tab");
+    Do("click left 250 250");
+    ExpectReadable("what was picked");
+    Do("key Escape");
+    Do("key S");
+    Do("wait trace");
+    Do("key I");
+    Do("scroll 40 250 250");
+    ExpectReadable("values of pixels");
+    EXPECT_GT(GroundsOf(*viewer_->Show().panels, own), 6) << "no values of a pixel are seen";
+    EXPECT_EQ(GroundsOf(*viewer_->Show().panels, other), 0);
+    Do("key R");
+    Do("key Shift+D");
+    ExpectReadable("the scale of differences");
+    Do("key Escape");
+    Do("key X");
+    ExpectReadable("axes of the cross section");
   }
 }
 
@@ -167,7 +206,8 @@ TEST_F(PanelContrast, NoLineOfAPanelIsCutOffAtItsEdgeInSmallAndLargeWindows) {
     for (const char* item :
          {"cone, line 18", "Scene",        "camera ", "Pixel",      "Settings", "light",        "Settings",
           "Layers",        "live",         "heat",    "Statistics", "Layers",   "Accelerators", "Statistics",
-          "Look",          "Accelerators", "Edit",    "Look",       "Image",    "Edit"}) {
+          "Look",          "Accelerators", "Edit",    "Look",       "Image",    "Edit",         "Display",
+          "boxes of the accelerator",      "Image"}) {
       Click(item);
       expect_whole(item);
     }

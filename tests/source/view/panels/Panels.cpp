@@ -446,6 +446,44 @@ TEST_F(PanelTest, HaveALightThemeAndLargerLetters) {
   EXPECT_EQ(viewer_->state().panels->Look().letters, smallest_letters);
 }
 
+TEST_F(PanelTest, WhatKeysSwitchIsSwitchedInTheDisplayPanelToo) {
+  Do("resize 512 1200\nkey Tab");
+  for (const char* open : {"Scene", "Pixel", "Display"}) Click(open);
+  const auto& overlays = viewer_->state().overlays;
+  Click("faces");
+  EXPECT_FALSE(overlays.faces);
+  EXPECT_EQ(viewer_->Message(), "faces off");
+  Click("edges");
+  EXPECT_TRUE(overlays.edges);
+  Click("lights");
+  EXPECT_TRUE(overlays.lights);
+  Click("rays of every 25th pixel");
+  EXPECT_TRUE(viewer_->state().rays.ShowsGrid());
+  Click("level horizon");
+  EXPECT_FALSE(viewer_->navigator().IsTurntable());
+}
+
+TEST_F(PanelTest, BoxesCutsAndTheAngleOfViewAreChosenInTheDisplayPanel) {
+  Do("resize 512 1200\nkey Tab");
+  for (const char* open : {"Scene", "Pixel", "Display"}) Click(open);
+  const auto& overlays = viewer_->state().overlays;
+  Click("boxes of the accelerator");
+  EXPECT_EQ(overlays.boxes, SpaceOverlays::Boxes::accelerator);
+  Click("slide level");
+  EXPECT_GT(overlays.box_level, all_levels);
+  Click("cut along yz");
+  EXPECT_TRUE(viewer_->state().section.IsShown());
+  EXPECT_EQ(viewer_->state().section.Plane(), SlicePlane::yz);
+  Click("cut along a row");
+  EXPECT_EQ(viewer_->state().section.Plane(), SlicePlane::camera_row);
+  Click("no cut");
+  EXPECT_FALSE(viewer_->state().section.IsShown());
+  const double before = viewer_->navigator().camera().xfov;
+  Click("slide view angle");
+  EXPECT_GT(viewer_->navigator().camera().xfov, before) << "the middle of the slider is a wide angle";
+  EXPECT_NEAR(viewer_->navigator().camera().Fov(), 77.5, 2);
+}
+
 TEST_F(PanelTest, TheHelpIsSearchedByTyping) {
   for (const char* panels : {"tick 0.1", "key Tab"}) {
     Do(std::string("resize 800 800\n") + panels);
