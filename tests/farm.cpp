@@ -51,6 +51,11 @@ TEST(Parallel, FramesOfAMovieAreThoseOfOneMachine) {
   RunScript("parallel.sh", "movie");
 }
 
+TEST(Parallel, AJobThatAnotherOfItsNameOvertookBeginsAgain) {
+  NEEDS_THE_PROGRAM();
+  RunScript("parallel.sh", "overtaken");
+}
+
 TEST(Parallel, TwoJobsOfOneNameDoNoHarm) {
   NEEDS_THE_PROGRAM();
   RunScript("parallel.sh", "twice");
@@ -74,6 +79,11 @@ TEST(Slurm, ATimeLimitIsThatOfAllMachinesTogether) {
 TEST(Slurm, FramesOfAMovieAreThoseOfOneMachine) {
   NEEDS_THE_PROGRAM();
   RunScript("slurm.sh", "movie");
+}
+
+TEST(Slurm, AJobThatAnotherOfItsNameOvertookBeginsAgain) {
+  NEEDS_THE_PROGRAM();
+  RunScript("slurm.sh", "overtaken");
 }
 
 TEST(Slurm, TwoJobsOfOneNameDoNoHarm) {

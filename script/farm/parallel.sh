@@ -45,8 +45,9 @@ render_parts() {
     "$raypro" "$scene" "$out" "$@" -quiet -part "{}/$parts"
 }
 [ ! "$show" ] || render_parts "$@"
+# Beside the parts, the image tells whether anything was done: another job of its name makes it and removes them.
 until [ "$show" ] || { missing=$("$raypro" "$scene" "$out" "$@" -missing "$parts") || exit; [ ! "$missing" ]; }; do
-  now=$missing$(cksum "$out.part-"*"-of-$parts" "$out.plan" 2> /dev/null || true)
+  now=$missing$({ ls -li "$out"; cksum "$out.part-"*"-of-$parts" "$out.plan"; } 2> /dev/null || true)
   [ "$now" != "$before" ] || fail 1 "these parts failed on every machine: $(echo "$missing" | tr '\n' ' ')"
   before=$now; : > "$out.joblog"
   echo "$missing" | render_parts "$@" || true  # its status is how many parts failed; -missing says which

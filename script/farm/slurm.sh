@@ -38,7 +38,8 @@ if [ -z "$missing" ]; then
   exec rm -f "$out.part-"*"-of-$parts" "$out.plan" "$out.log"
 fi
 [ "$show" ] || command -v sbatch > /dev/null || fail 1 "Slurm is not here: there is no sbatch"
-now=$({ echo "$missing"; cat "$out.part-"*"-of-$parts" "$out.plan" 2> /dev/null || true; } | cksum | tr ' ' -)
+# Beside the parts, the image tells whether anything was done: another job of its name makes it and removes them.
+now=$({ echo "$missing"; { ls -li "$out"; cat "$out.part-"*"-of-$parts" "$out.plan"; } 2> /dev/null || true; } | cksum | tr ' ' -)
 [ "$now" != "$before" ] || fail 1 "these parts failed, and nothing came of trying again: $missing"
 submit() {  # array or dependency, step, and all that follows
   when=$1 next=$2; shift 2

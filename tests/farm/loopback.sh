@@ -15,7 +15,8 @@ stop_engine() {
 trap 'stop_engine; rm -rf "$place"' EXIT
 trap 'exit 1' INT TERM
 
-# A port that nobody listens on, from this number on.
+# A port that nobody listens on, from this number on. Tests that run at once begin at different numbers, since two of
+# them could find the same one free.
 free_port() {
   port=$1
   while (exec 3<> "/dev/tcp/127.0.0.1/$port") 2> /dev/null; do port=$((port + 1)); done
@@ -58,6 +59,8 @@ export RAYPRO="$place/raypro"
 killed='"$real" "$@" -samples 100000 & sleep 0.3; kill -9 $!; wait $!; exit 137'
 full_disk='ulimit -f 0; trap "" XFSZ; exec "$real" "$@"'
 late_clock='"$real" "$@"; for f in out.png.part-$part-*; do touch -d "1 hour" "$f"; done; exit'
+# Another job of this name makes the image and removes the parts, between two looks at what is missing.
+overtaken() { printf '%s\n' "\"\$real\" \"\$@\"; \"\$real\" in.scn out.png ${more[*]} -quiet; rm -f out.png.part-*; exit"; }
 
 # A movie that this machine renders alone, to be compared with those of engines.
 movie() { (cd work && "$root/script/movie.sh" "$@" -frames 3 -width 24 -height 18) > said 2>&1 || fail "movie.sh: status $?"; }

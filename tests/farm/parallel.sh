@@ -21,7 +21,7 @@ CONF
 ssh-keygen -q -t ed25519 -N '' -f key
 ssh-keygen -q -t ed25519 -N '' -f host
 [ "$user" != root ] || mkdir -p /run/sshd
-first=$(free_port 20221)
+first=$(free_port $((20000 + $$ % 6000 * 2)))
 second=$(free_port $((first + 1)))
 start_host a "$first"
 start_host b "$second"
@@ -84,6 +84,10 @@ VANISH
     rm work/out.png ;;&
   movie | all)
     expect_movie -hosts "$place/hosts" ;;&
+  overtaken | all)
+    overtaken > accidents/1
+    farm -hosts "$place/hosts" -parts 1 || fail "status $?"
+    expect_image "a job that another one of its name overtook" ;;&
   twice | all)
     farm -hosts "$place/hosts" -parts 4 & first_job=$!
     (cd work && "$root/script/farm/parallel.sh" -parts 4 in.scn out.png "${more[@]}") > said2 2>&1 || fail "the second job"

@@ -6,7 +6,7 @@ set -eu
 needs sbatch squeue slurmctld slurmd munged
 
 host=$(uname -n)
-controller=$(free_port 16817)
+controller=$(free_port $((16000 + $$ % 1300 * 3)))
 first=$(free_port $((controller + 1)))
 second=$(free_port $((first + 1)))
 chmod 755 "$place"
@@ -58,9 +58,10 @@ more=("${@:3}")
 farm() { (cd work && "$root/script/farm/slurm.sh" "$@" in.scn out.png "${more[@]}") >> said 2>&1; }
 wait_for_jobs() {
   for i in $(seq 280); do
-    [ -n "$(squeue -h 2> /dev/null)" ] || { cp work/out.png.log said-by-jobs 2> /dev/null || true; return 0; }
+    jobs=$(squeue -h 2> /dev/null) || jobs='a busy controller does not say'
     # What the jobs say is gone with their log once the image is there.
     cp work/out.png.log said-by-jobs 2> /dev/null || true
+    [ -n "$jobs" ] || return 0
     sleep 0.1
   done
   squeue >&2
@@ -96,6 +97,11 @@ case ${CASE:-all} in
     wait_for_jobs
     grep -q 'of 4 parts rendered' said2 || fail "-watch says nothing"
     expect_image "two jobs of one name" ;;&
+  overtaken | all)
+    overtaken > accidents/1
+    farm -parts 1 || fail "status $?"
+    wait_for_jobs
+    expect_image "a job that another one of its name overtook" ;;&
   node | all)
     # The node goes, and with it what it was doing.
     cat > accidents/1 << 'VANISH'
