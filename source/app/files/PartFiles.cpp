@@ -157,6 +157,9 @@ std::optional<PartFile> PartReader::Read(const std::string& name) {
   } catch (const CheckpointError& error) {
     PrintError(QuotedPath(name) + ": warning: " + error.what() + "; what it held is rendered again");
     return {};
+  } catch (const SceneErrors&) {
+    if (IsThere(name)) throw;
+    return {};
   }
 }
 

@@ -37,8 +37,9 @@ class PartReader {
  public:
   PartReader(const RenderSettings& settings, const std::string& picture, const std::string& identity);
 
-  /// Nothing, and a warning, for a file that is damaged: its samples can be rendered again. Throws SceneErrors for one
-  /// that cannot be read, or is of another scene, other settings or another version.
+  /// Nothing, and a warning, for a file that is damaged: its samples can be rendered again. Nothing for one that is
+  /// gone: another job of the image's name removes parts once it has the image. Throws SceneErrors for a file that
+  /// cannot be read, or is of another scene, other settings or another version.
   std::optional<PartFile> Read(const std::string& name);
   /// What the round begins with: the plan beside the image, else the first round. Throws SceneErrors.
   RenderState Round() const;

@@ -278,6 +278,17 @@ TEST(Farm, ADamagedPartIsNamedAndRenderedAgain) {
   EXPECT_TRUE(ReadFile(place / NameOfPart(2, 2)) == whole);
 }
 
+// Another job of the image's name removes parts between the listing of their names and their reading.
+TEST(Farm, APartThatVanishesBeforeItIsReadIsOneThatIsMissing) {
+  NEEDS_THE_PROGRAM();
+  const PartsPlace place;
+  EXPECT_EQ(place.Part(1, 2).status, 0);
+  const Asked asked(place);
+  PartReader reader(asked.options.render, asked.options.files.picture, asked.identity);
+  const RenderState joined = reader.Joined({place / NameOfPart(1, 2), place / NameOfPart(2, 2)}, 2);
+  EXPECT_EQ(MissingParts(joined, asked.options.render, reader.PartsOf(2)), std::vector{2});
+}
+
 // What is neither refused nor found damaged must be the part itself.
 TEST(Farm, NoChangedByteOfAPartGoesUnnoticed) {
   NEEDS_THE_PROGRAM();
