@@ -236,12 +236,24 @@ TEST(Replay, MakesADenoisedImageAgainToTheByte) {
   EXPECT_TRUE(Has(other.error, "-denoise")) << other.error;
 }
 
+/// Renders a.pfm and its report r.json with a time limit and -denoise. A machine that is busy otherwise may take seconds
+/// to get to the first ray, and then rightly leaves the image as it is; so the limit is doubled until it is denoised.
+Finished RunDenoisedInTime(const Place& place, const List& words) {
+  constexpr int most = 128;  // seconds
+  Finished run;
+  for (int seconds = 2; seconds <= most; seconds *= 2) {
+    run = place.Run("a.pfm", With(words, {"-time", std::to_string(seconds) + "s", "-report", place / "r.json"}));
+    if (run.status != 0 || Has(ReadFile(place / "r.json"), "denoised_by")) break;
+  }
+  return run;
+}
+
 TEST(Replay, MakesAnImageThatWasDenoisedInTimeAgainToTheByte) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const List settings{"-denoise", "-shadow_samples", "1"};
-  for (const List& budget : {List{"-time", "2s"}, {"-time", "2s", "-error", "0.1"}}) {
-    const Finished first = place.Run("a.pfm", With(With(settings, budget), {"-report", place / "r.json"}));
+  for (const List& more : {List{}, {"-error", "0.1"}}) {
+    const Finished first = RunDenoisedInTime(place, With(settings, more));
     ASSERT_EQ(first.status, 0) << first.error;
     EXPECT_TRUE(Has(ReadFile(place / "r.json"), "\"denoised_by\": \"regression\"")) << first.error;
     const Finished again =
