@@ -111,7 +111,7 @@ class Tracer {
       ray.direction.x = to_light.x, ray.direction.y = to_light.y, ray.direction.z = to_light.z;
       ray.t_min = starts.begin[k], ray.t_max = end;
       ray.time = from.time;
-      ray.leaving = starts.facing[k] > 0 ? from.leaving : -1, ray.leaving_until = R3::infinity;
+      ray.leaving = LeavingTowards(from.leaving, starts.facing[k]), ray.leaving_until = R3::infinity;
       ray.reaching = light.reaching;
       ray.departure = &p.departure;
       AddReflected(p, index_of(k), reflected, throughput, describe, state);

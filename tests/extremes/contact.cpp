@@ -124,7 +124,7 @@ TEST(Extremes, M2_NoShadowRayInAConvexRoomIsBlocked) {
     Draw draw(static_cast<std::uint64_t>(number) + 7200);
     RoomStage r(draw, number, Frame(draw, number / static_cast<int>(Room::kinds.size())));
     if (r.kind == "concave") continue;
-    for (int i = 0; i < Count(1500, 12'500); ++i) {
+    for (int i = 0; i < Count(1500, 16'000); ++i) {
       R3::Ray ray{.origin = r.room.Inside()};
       ray.direction = Unit((i % 3 > 0 ? r.room.OnSeam() : r.room.OnWall()) - ray.origin);
       const auto hit = r.accelerator->Intersect(ray, r.workspace);

@@ -115,10 +115,8 @@ inline double BeginTowards(const ShadingPoint& surface, const R3::Vector& direct
 
 /// A ray from the point in a new direction, on either side, in the same moment. It must not outlive the point.
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
-/// R3::Ray::leaving of a ray from the point towards a light; `facing` is N . to_light.
-inline std::int64_t LeavingTowards(const ShadingPoint& surface, double facing) {
-  return facing > 0 ? surface.leaving : -1;
-}
+/// R3::Ray::leaving of a ray from a point towards a light; `facing` is N . to_light.
+inline std::int64_t LeavingTowards(std::int64_t leaving, double facing) { return facing > 0 ? leaving : -1; }
 /// The t_max of a ray towards a light.
 inline double EndOf(const ShadowTarget& light) {
   return light.is_infinite ? R3::infinity : light.reaching < 0 ? 1 : beyond_target;
@@ -138,7 +136,7 @@ inline R3::Ray ShadowRay(const ShadingPoint& surface, const ShadowTarget& light)
           .t_min = BeginTowards(surface, light.to_light),
           .t_max = EndOf(light),
           .time = surface.time,
-          .leaving = LeavingTowards(surface, Dot(surface.N, light.to_light)),
+          .leaving = LeavingTowards(surface.leaving, Dot(surface.N, light.to_light)),
           .reaching = light.reaching,
           .departure = &surface.departure};
 }
