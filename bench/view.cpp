@@ -30,7 +30,7 @@ class Nobody : public ViewerHost {
   void Print(const std::string&) override {}
 };
 
-constexpr int most_moves = 200, least_moves = 3;  // of a drag
+constexpr int most_moves = 200, least_moves = 1;  // of a drag
 constexpr double enough_milliseconds = 5000;       // then a drag of at least `least_moves` ends
 
 double MillisecondsSince(Clock::time_point then) {

@@ -44,7 +44,7 @@ class Functions {
 #define USE(name) Use(epoxy_gl##name, "gl" #name);
     USE(ActiveTexture) USE(AttachShader) USE(BindBuffer) USE(BindBufferBase) USE(BindFramebuffer)
     USE(BindRenderbuffer) USE(BindSampler) USE(BindTexture) USE(BindVertexArray) USE(BlendFuncSeparate) USE(BlitFramebuffer) USE(BufferData)
-    USE(BufferSubData) USE(CheckFramebufferStatus) USE(Clear) USE(ClearColor) USE(CompileShader)
+    USE(BufferSubData) USE(CheckFramebufferStatus) USE(Clear) USE(ClearColor) USE(ColorMask) USE(CompileShader)
     USE(CreateProgram) USE(CreateShader) USE(CullFace) USE(DeleteBuffers) USE(DeleteFramebuffers)
     USE(DeleteProgram) USE(DeleteRenderbuffers) USE(DeleteSamplers) USE(DeleteShader) USE(DeleteTextures) USE(DeleteVertexArrays)
     USE(DepthFunc) USE(DepthMask) USE(Disable) USE(DrawArrays) USE(DrawBuffer) USE(DrawElements) USE(Enable)
