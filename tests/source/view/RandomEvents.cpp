@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <thread>
+#include <vector>
 
 #include "source/view/EventScript.h"
 #include "source/view/KeyBindings.h"
@@ -100,6 +102,9 @@ class RandomUser {
   /// How often the scene was changed, and saved.
   int Edits() const { return edits_; }
   int Saves() const { return saves_; }
+  /// How often a crop was dragged, and a number or a color changed by its slider or swatch.
+  int Crops() const { return crops_; }
+  int Slides() const { return slides_; }
 
  private:
   void Open() {
@@ -137,6 +142,50 @@ class RandomUser {
     Do(ButtonEvent{button, false, x, y, modifiers});
   }
 
+  void DragCrop() {
+    constexpr Modifiers control{.control = true};
+    const double x = X(), y = Y();
+    Do(ButtonEvent{Button::right, true, X(), Y(), control});
+    Do(MoveEvent{x, y});
+    Do(ButtonEvent{Button::right, false, x, y, control});
+    crops_ += viewer_->state().crop.has_value();
+  }
+
+  /// The numbers of a material are changed, by a slider where it has any.
+  void EditMaterial() {
+    const DrawingSize before = viewer_->Size();
+    if (viewer_->state().shows_help) Do(KeyEvent{Key::escape, {}, true});
+    if (!viewer_->state().shows_panels) Do(KeyEvent{Key::tab, {}, true});
+    Do(ResizeEvent{400, 1600, 1});  // so that all of a panel is seen
+    if (!AnItem("material")) ClickItem("Edit");
+    ClickItem("material");
+    const std::size_t done = viewer_->state().editor.History().Done();
+    if (const auto slider = AnItem("slide ")) {
+      const double x = slider->x + draw_.Between(-60, 60);
+      Do(ButtonEvent{Button::left, true, x, slider->y, {}});
+      Do(MoveEvent{x + draw_.Between(-20, 20), slider->y});
+      Do(ButtonEvent{Button::left, false, x, slider->y, {}});
+    }
+    slides_ += viewer_->state().editor.History().Done() > done;
+    Do(ResizeEvent{before.width, before.height, 1});
+  }
+
+  /// One of the things in the panels whose names begin so; nothing where there are none.
+  std::optional<PanelItem> AnItem(const std::string& start) {
+    viewer_->Show();
+    std::vector<PanelItem> found;
+    for (const PanelItem& item : viewer_->ItemsOfPanels())
+      if (item.name.starts_with(start)) found.push_back(item);
+    if (found.empty()) return {};
+    return found[static_cast<std::size_t>(draw_.Whole(0, static_cast<int>(found.size()) - 1))];
+  }
+  void ClickItem(const std::string& start) {
+    const auto item = AnItem(start);
+    if (!item) return;
+    Do(ButtonEvent{Button::left, true, item->x, item->y, {}});
+    Do(ButtonEvent{Button::left, false, item->x, item->y, {}});
+  }
+
   void ClickPanel() {
     viewer_->Show();
     const auto& items = viewer_->ItemsOfPanels();
@@ -171,7 +220,13 @@ class RandomUser {
 
   void DoWhatIsRare() {
     constexpr std::array files{"hello.scn", "glass.scn", "empty.scn", "broken.scn", "nothing.scn", "meshes"};
-    switch (draw_.Whole(0, 5)) {
+    switch (draw_.Whole(0, 9)) {
+      case 9:
+      case 8:
+        return DragCrop();
+      case 7:
+      case 6:
+        return EditMaterial();
       case 0:
         return Do(DropEvent{folder_ / files[static_cast<std::size_t>(draw_.Whole(0, files.size() - 1))]});
       case 1:
@@ -197,7 +252,7 @@ class RandomUser {
 
   Draw draw_;
   std::string script_;
-  int edits_ = 0, saves_ = 0;
+  int edits_ = 0, saves_ = 0, crops_ = 0, slides_ = 0;
   CopiedScenes folder_;
   WithOptions host_;
   std::unique_ptr<Viewer> viewer_;
@@ -207,7 +262,7 @@ TEST(RandomEvents, TenThousandOfThemDoNoHarm) {
   // In several stories, so that a failure is short enough to be read, and each begins with a viewer as it is at first.
   constexpr int events_of_a_story = 250;
   const int stories = Count(4, 40);
-  int edits = 0, saves = 0;
+  int edits = 0, saves = 0, crops = 0, slides = 0;
   for (int story = 0; story < stories && !testing::Test::HasFailure(); ++story) {
     RandomUser user(2'000 + static_cast<std::uint64_t>(story));
     for (int i = 0; i < events_of_a_story && !testing::Test::HasFailure(); ++i) {
@@ -215,11 +270,13 @@ TEST(RandomEvents, TenThousandOfThemDoNoHarm) {
       user.Check();
     }
     user.CheckRendering();
-    edits += user.Edits(), saves += user.Saves();
+    edits += user.Edits(), saves += user.Saves(), crops += user.Crops(), slides += user.Slides();
     if (testing::Test::HasFailure()) FAIL() << "story " << story << ":\n" << user.Script();
   }
   EXPECT_GE(edits, stories) << "scenes were hardly changed";
   EXPECT_GE(saves, stories / 2) << "and hardly saved";
+  EXPECT_GE(crops, stories / 2);
+  EXPECT_GE(slides, stories / 8);
 }
 
 }  // namespace
