@@ -152,13 +152,14 @@ struct Draft {
 
 class Builder {
  public:
-  Builder(const World& world, const TraceSettings& trace, const DrawingSpace& space, const PictureBudget& budget)
-      : world_(world), trace_(trace), space_(space), budget_(budget), plan_(PlanFor(world, budget)) {
+  Builder(const World& world, const RenderSettings& settings, const DrawingSpace& space, const PictureBudget& budget)
+      : world_(world), trace_(settings.trace), space_(space), budget_(budget), plan_(PlanFor(world, budget)) {
+    has_textures_ = settings.mode == RenderMode::uv || settings.mode == RenderMode::uv_color;  // which show them
     for (const Instance& instance : world.Instances()) {
       for (const Material* material : world.MaterialsOf(instance)) has_textures_ |= HasImages(*material);
       has_colors_ |= instance.material->has_vertex_colors;
     }
-    if (trace.max_depth > 0) PlaceProbes();
+    if (trace_.max_depth > 0) PlaceProbes();
   }
 
   ScenePicture Run() {
@@ -452,7 +453,7 @@ bool IsPreviewed(RenderMode mode) {
 ScenePicture PictureOf(const World& world, const RenderSettings& settings, const DrawingSpace& space,
                        const PictureBudget& budget) {
   const Scene& scene = world.scene();
-  ScenePicture picture = Builder(world, settings.trace, space, budget).Run();
+  ScenePicture picture = Builder(world, settings, space, budget).Run();
   picture.lights = PreviewLightsOf(world, settings, space);
   picture.background = scene.background;
   picture.environment = scene.environment;

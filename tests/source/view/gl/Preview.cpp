@@ -237,7 +237,7 @@ TEST_P(Preview, ShowsTheModesOfTheTracer) {
       "point_light 0.9 0.8 0.7  3 4 5  1 0 0\n" + Material("0.5 0.4 0.3  0.4 0.4 0.4  0 0 0  0 0 0  20 1 0") + ball));
   using ray::RenderMode;
   for (const RenderMode mode : {RenderMode::toon, RenderMode::gooch, RenderMode::flat, RenderMode::normal_color,
-                                RenderMode::zbuffer}) {
+                                RenderMode::zbuffer, RenderMode::uv, RenderMode::uv_color}) {
     ray::RenderSettings settings;
     settings.mode = mode;
     settings.trace.zbuffer = {4, 7};
