@@ -242,7 +242,9 @@ check: $(BUILD)/obj/bench/kernels.o
 
 asan:
 	$(MAKE) BUILD=$(BUILD)/asan OPTIMIZE=-O1 SANITIZE="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" test
+# script/tsan_tbb.sh makes the library without which ThreadSanitizer reports races within oneTBB.
 tsan:
+	mkdir -p $(BUILD) && LD_LIBRARY_PATH="$$(cd $(BUILD) && pwd)/tsan/tbb$${LD_LIBRARY_PATH:+:$$LD_LIBRARY_PATH}" \
 	$(MAKE) BUILD=$(BUILD)/tsan OPTIMIZE=-O1 SANITIZE="-fsanitize=thread" test
 
 # With clang, whose runtime finds the inputs. script/fuzz.sh runs the targets and makes their seeds.
