@@ -45,6 +45,15 @@ bool IsSmall(const Instance& instance, const World& world, const PictureBudget& 
   return instance.mesh && 24 * instances * instance.mesh->Elements() <= budget.most_vertices;
 }
 
+/// The share of the triangles of meshes that is wanted.
+double ShareOfMeshes(const World& world, const PictureBudget& budget) {
+  std::int64_t triangles = 0;
+  for (const Instance& instance : world.Instances())
+    if (IsDrawn(instance) && instance.mesh) triangles += instance.mesh->Elements();
+  if (triangles <= budget.mesh_triangles) return 1;
+  return static_cast<double>(budget.mesh_triangles) / static_cast<double>(triangles);
+}
+
 Plan PlanFor(const World& world, const PictureBudget& budget) {
   std::int64_t least = 0;  // triangles
   for (const Instance& instance : world.Instances())
@@ -63,11 +72,7 @@ Plan PlanFor(const World& world, const PictureBudget& budget) {
     break;
   }
   if (plan.fineness == only_boxes) plan.triangles = least;
-  std::int64_t of_meshes = 0;  // triangles
-  for (const Instance& instance : world.Instances())
-    if (IsDrawn(instance) && instance.mesh) of_meshes += instance.mesh->Elements();
-  if (of_meshes > budget.mesh_triangles)
-    plan.mesh_share = static_cast<double>(budget.mesh_triangles) / static_cast<double>(of_meshes);
+  plan.mesh_share = ShareOfMeshes(world, budget);
   std::int64_t thinned = 0, whole = 0;  // vertices
   for (const Instance& instance : world.Instances()) {
     if (!IsDrawn(instance)) continue;
