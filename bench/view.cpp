@@ -1,5 +1,6 @@
 // How soon the viewer answers, drawing without a window.
 //   build/bench/view [scene [width height]]     scenes/hello.scn unless named, 512 x 512; run where scenes/ is
+//     bench/scenes/large.sh FOLDER           makes a city and a mesh, of a million triangles each
 // Figures: start to the first drawing; from an event to its drawing while a live picture and a trace run beside; what
 // an idle viewer asks of the processor is told by the window itself: /proc/PID/stat.
 #include <algorithm>
