@@ -1,10 +1,5 @@
 #include "source/render/PassRunner.h"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <bit>
 
@@ -54,15 +49,7 @@ PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock:
   for (int i = 0; i < work_.film.Blocks(); ++i)
     if (IsDone(i)) pixels_done_ += work_.film.PixelsOf(i).Area(), done.push_back(i);
   if (work_.blocks_done) work_.blocks_done(done);
-  // The arena bounds this render alone, others may run beside it; only more threads than usual need permission.
-  std::optional<tbb::global_control> permission;
-  if (threads_ > tbb::info::default_concurrency())
-    permission.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_));
-  tbb::task_arena arena(threads_);
-  arena.execute([&] {
-    tbb::parallel_for(
-        0, tiles_.Count(), [&](int i) { RunTile(i); }, tbb::simple_partitioner());
-  });
+  ForEachOnThreads(threads_, tiles_.Count(), [&](int i) { RunTile(i); });
   if (pixels_done_ == work_.film.Sampled().Area()) return End::complete;
   return IsStopped() ? End::stopped : End::paused;
 }

@@ -1,12 +1,10 @@
 #include "source/view/live/CoarsePasses.h"
 
 #include <algorithm>
-#include <exception>
-#include <mutex>
-#include <thread>
 #include <utility>
 
 #include "source/integrate/debug/Heat.h"
+#include "source/render/Threads.h"
 
 namespace ray {
 namespace {
@@ -26,18 +24,21 @@ CoarsePasses::CoarsePasses(const Integrator& integrator, const CameraRays& camer
       watch_(watch),
       is_heat_(ShowsCosts(settings.mode)),
       sampled_(film.Sampled()),
-      colors_(static_cast<std::size_t>(sampled_.Area())),
-      workers_(static_cast<std::size_t>(settings.threads)) {
-  for (Worker& worker : workers_) worker.state.stop = &watch.stop;
-}
+      threads_(settings.threads),
+      colors_(static_cast<std::size_t>(sampled_.Area())) {}
 
 bool CoarsePasses::Trace(int stride, int traced_stride) {
   const int width = item_width * stride, height = (traced_stride > 0 ? item_height : first_item_height) * stride;
   const int columns = Quotient(sampled_.Width(), width), rows = Quotient(sampled_.Height(), height);
-  return ForEach(columns * rows, [&](int i, Worker& worker) {
-    const int x = sampled_.x0 + i % columns * width, y = sampled_.y0 + i / columns * height;
-    return TraceItem({Common(sampled_, {x, y, x + width, y + height}), stride, traced_stride}, worker);
+  std::atomic<int> begun = 0;  // in their order, so that the picture fills from the bottom
+  std::atomic<bool> goes_on = true;
+  ForEachOnThreads(threads_, columns * rows, [&](int) {
+    if (!goes_on) return;
+    const int i = begun++, x = sampled_.x0 + i % columns * width, y = sampled_.y0 + i / columns * height;
+    if (!TraceItem({Common(sampled_, {x, y, x + width, y + height}), stride, traced_stride}, workers_.local()))
+      goes_on = false;
   });
+  return goes_on;
 }
 
 bool CoarsePasses::TraceItem(const Item& item, Worker& worker) {
@@ -46,6 +47,7 @@ bool CoarsePasses::TraceItem(const Item& item, Worker& worker) {
     return item.traced_stride > 0 && (column - sampled_.x0) % item.traced_stride == 0 &&
            (row - sampled_.y0) % item.traced_stride == 0;
   };
+  worker.state.stop = &watch_.stop;
   worker.state.workspace.ForgetLastHits();
   BatchTracer tracer(source_, worker.state, [&](int column, int row, const CameraSample&, const R2::Color& radiance) {
     colors_[Index(column, row)] = radiance;
@@ -104,34 +106,6 @@ RenderState CoarsePasses::TakeState() {
   colors_ = {};
   for (const Worker& worker : workers_) state.rays += worker.state.rays;
   return state;
-}
-
-bool CoarsePasses::ForEach(int count, const std::function<bool(int, Worker&)>& work) {
-  std::atomic<int> next = 0;
-  std::atomic<bool> goes_on = true;
-  std::mutex guard;
-  std::exception_ptr thrown;
-  const auto run = [&](Worker& worker) {
-    try {
-      while (goes_on) {
-        const int i = next.fetch_add(1);
-        if (i >= count) return;
-        if (!work(i, worker)) goes_on = false;
-      }
-    } catch (...) {
-      const std::lock_guard lock(guard);
-      thrown = std::current_exception();
-      goes_on = false;
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(workers_.size(), static_cast<std::size_t>(count)); ++i)
-      others.emplace_back(run, std::ref(workers_[i]));
-    run(workers_.front());
-  }
-  if (thrown) std::rethrow_exception(thrown);
-  return goes_on;
 }
 
 }  // namespace ray

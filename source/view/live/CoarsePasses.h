@@ -1,8 +1,9 @@
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "R2/Color.h"
@@ -38,7 +39,7 @@ class CoarsePasses {
   RenderState TakeState();
 
  private:
-  struct alignas(64) Worker {  // a cache line of its own, since each is written for every ray
+  struct Worker {
     TraceState state;
     std::int64_t pixels_traced = 0, pixels_reported = 0;
     std::uint64_t rays_reported = 0;
@@ -56,17 +57,15 @@ class CoarsePasses {
     return static_cast<std::size_t>(row - sampled_.y0) * static_cast<std::size_t>(sampled_.Width()) +
            static_cast<std::size_t>(column - sampled_.x0);
   }
-  /// work(i, worker) for i in 0 .. count - 1, each once, by all threads, until one answers false or throws. Whether
-  /// none did; throws what was thrown.
-  bool ForEach(int count, const std::function<bool(int, Worker&)>& work);
 
   const SampleSource source_;
   const Film& film_;
   const Watch watch_;
   const bool is_heat_;
   const PixelRectangle sampled_;  // the pixels of the film
+  const int threads_;
   std::vector<R2::Color> colors_;
-  std::vector<Worker> workers_;
+  tbb::enumerable_thread_specific<Worker> workers_;
   std::atomic<std::int64_t> pixels_traced_ = 0;
 };
 

@@ -27,6 +27,9 @@ namespace ray {
 
 int ThreadsAvailable(int) { return 1; }
 int ThreadsFor(int) { return 1; }
+void ForEachOnThreads(int, int count, const std::function<void(int)>& task) {
+  for (int i = 0; i < count; ++i) task(i);
+}
 
 double CpuSeconds() { return 0; }
 std::int64_t PeakMemory() { return std::int64_t{65536} * static_cast<std::int64_t>(__builtin_wasm_memory_size(0)); }

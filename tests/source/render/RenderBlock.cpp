@@ -17,12 +17,12 @@ namespace {
 constexpr bool can_step = true;
 constexpr unsigned long long trap_flag = 0x100;  // a signal after each instruction
 
-std::atomic<bool> stop = false;
+std::atomic<bool> asked_to_stop = false;
 std::atomic<int> steps_left = 0;
 
 void OnStep(int, siginfo_t*, void* context) {
   if (--steps_left > 0) return;
-  stop = true;
+  asked_to_stop = true;
   static_cast<ucontext_t*>(context)->uc_mcontext.gregs[REG_EFL] &= ~static_cast<greg_t>(trap_flag);
 }
 
@@ -32,7 +32,7 @@ void StopAfter(int instructions) {
   action.sa_sigaction = OnStep;
   action.sa_flags = SA_SIGINFO;
   sigaction(SIGTRAP, &action, nullptr);
-  stop = false;
+  asked_to_stop = false;
   steps_left = instructions;
   __writeeflags(__readeflags() | trap_flag);
 }
@@ -43,7 +43,7 @@ void StopStepping() {
 }
 #else
 constexpr bool can_step = false;
-std::atomic<bool> stop = false;
+std::atomic<bool> asked_to_stop = false;
 void StopAfter(int) {}
 void StopStepping() {}
 #endif
@@ -64,7 +64,7 @@ TEST(BatchTracer, GivesOnlyWhatWasTracedWheneverItIsToStop) {
   const CameraRays camera(Camera(), CameraEffects(), false, 8, 8, SamplerKind::sobol, 1);
   const SampleSource source{integrator, camera, RandomKey(1)};
   TraceState state;
-  state.stop = &stop;
+  state.stop = &asked_to_stop;
   int given = 0, wrong = 0, broken_off = 0;
   const auto splat = [&](int, int, const CameraSample&, const R2::Color& radiance) {
     ++given;

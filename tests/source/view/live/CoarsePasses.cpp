@@ -8,7 +8,6 @@
 #include "source/view/LoadedScene.h"
 #include "tests/Project.h"
 
-// Without oneTBB, so that these tests mean something under ThreadSanitizer, which cannot look into it.
 namespace ray {
 namespace {
 
