@@ -325,7 +325,8 @@ TEST(Farm, APartThatIsTerminatedContinuesWhereItStopped) {
   const auto expected = place.OneRender(more);
   Running running(
       With({place.Scene(), place / "out.png", "-width", "40", "-height", "30"}, With({"-part", "1/2"}, more)));
-  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  running.WaitUntilItCatches(SIGTERM);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
   running.Send(SIGTERM);
   const Finished stopped = running.Wait();
   EXPECT_TRUE(stopped.status == 143 || stopped.status == 0) << stopped.error;

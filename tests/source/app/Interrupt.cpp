@@ -24,7 +24,8 @@ TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
     const SceneFolder place;
     const int signal = round % 2 ? SIGTERM : SIGINT;
     Running running({place.Scene(), place / "out.png", "-width", "3000", "-height", "3000", "-samples", "64"});
-    std::this_thread::sleep_for(std::chrono::duration<double>(std::uniform_real_distribution(0.2, 0.6)(random)));
+    running.WaitUntilItCatches(signal);
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::uniform_real_distribution(0.1, 0.5)(random)));
     running.Send(signal);
     const auto sent = std::chrono::steady_clock::now();
     const Finished done = running.Wait();
@@ -53,7 +54,8 @@ TEST(Interrupt, LayersThatWereNotRenderedAreToldOf) {
   const SceneFolder place;
   Running running(
       {place.Scene(), place / "out.ppm", "-width", "3000", "-height", "3000", "-samples", "64", "-layers", "depth"});
-  std::this_thread::sleep_for(400ms);
+  running.WaitUntilItCatches(SIGINT);
+  std::this_thread::sleep_for(300ms);
   running.Send(SIGINT);
   const Finished done = running.Wait();
   EXPECT_TRUE(Has(done.error, "-layers are rendered once the image is complete; none are written")) << done.error;
@@ -77,7 +79,8 @@ TEST(Extremes, L5_ASignalEndsALoopOverManyLightSamples) {
     const SceneFolder place;
     WriteFile(place.Scene(), scene);
     Running running(With({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8"}, words));
-    std::this_thread::sleep_for(500ms);
+    running.WaitUntilItCatches(SIGINT);
+    std::this_thread::sleep_for(400ms);
     EXPECT_FALSE(running.IsOver());
     running.Send(SIGINT);
     const Finished done = running.Wait(20s);  // else minutes
@@ -92,7 +95,8 @@ TEST(Extremes, L5_ASecondSignalEndsTheRunAtOnceAndLeavesTheOldPicture) {
   const SceneFolder place;
   WriteFile(place / "out.ppm", "old");
   Running running({place.Scene(), place / "out.ppm", "-width", "3000", "-height", "3000", "-samples", "64"});
-  std::this_thread::sleep_for(500ms);
+  running.WaitUntilItCatches(SIGTERM);  // which it does last
+  std::this_thread::sleep_for(400ms);
   // Both are there when the process goes on, so it has no time to end in between; which comes first is the system's.
   for (const int signal : {SIGSTOP, SIGINT, SIGTERM, SIGCONT}) running.Send(signal);
   const int status = running.Wait().status;

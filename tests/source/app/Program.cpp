@@ -85,6 +85,15 @@ void BreakPipe(int descriptor) {
   _exit(127);
 }
 
+/// Whether the process has a handler for the signal; true where the system does not say so as Linux does.
+bool Catches(pid_t process, int signal) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  const std::string caught = "SigCgt:";
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(caught)) return std::stoull(line.substr(caught.size()), nullptr, 16) >> (signal - 1) & 1;
+  return true;
+}
+
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
@@ -144,6 +153,13 @@ Running::~Running() {
 
 void Running::Send(int signal) {
   if (!IsOver()) kill(process_, signal);
+}
+
+void Running::WaitUntilItCatches(int signal) {
+  using namespace std::chrono_literals;
+  const auto end = std::chrono::steady_clock::now() + 1min;
+  while (!IsOver() && !Catches(process_, signal) && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(1ms);
 }
 
 bool Running::IsOver() {

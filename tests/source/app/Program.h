@@ -79,6 +79,8 @@ class Running {
 
   /// Nothing, once it is over: its number may be another process by then.
   void Send(int signal);
+  /// Until the program has a handler for the signal, to which it may take seconds on a busy machine; or until it is over.
+  void WaitUntilItCatches(int signal);
   /// Kills it when it takes longer: `status` is then -1.
   Finished Wait(std::chrono::milliseconds longest = std::chrono::minutes(2));
   bool IsOver();

@@ -96,7 +96,8 @@ class Interrupted : public ::testing::Test {
   }
   Finished Interrupt(const std::string& picture, const std::vector<std::string>& more = {}) const {
     Running running(Command(picture, more));
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    running.WaitUntilItCatches(SIGINT);
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
     running.Send(SIGINT);
     return running.Wait();
   }

@@ -182,7 +182,8 @@ TEST(Replay, ThatASignalEndedIsResumed) {
   const List replay = With(settings, {"-replay", place / "r.json"});
   const List command = With({place.Scene(), place / "b.pfm"}, replay);
   Running running(command);
-  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  running.WaitUntilItCatches(SIGINT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
   running.Send(SIGINT);
   const Finished stopped = running.Wait();
   if (stopped.status == 0) GTEST_SKIP() << "it was faster than the signal";
