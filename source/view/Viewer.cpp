@@ -19,7 +19,7 @@ constexpr double seconds_between_looks = 0.25;  // at the scene's files
 }  // namespace
 
 Viewer::Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene, ViewerHost& host)
-    : state_(std::move(settings), scene, host) {
+    : state_(std::move(settings), *scene, host) {
   TakeScene(state_, std::move(scene));
 }
 

@@ -6,10 +6,10 @@
 
 namespace ray {
 
-ViewerState::ViewerState(ViewerSettings begin, std::shared_ptr<const LoadedScene> shown, ViewerHost& around)
+ViewerState::ViewerState(ViewerSettings begin, const LoadedScene& shown, ViewerHost& around)
     : host(around),
       settings(std::move(begin)),
-      navigator(shown->parsed.scene.camera, shown->parsed.scene.root.bounds,
+      navigator(shown.parsed.scene.camera, shown.parsed.scene.root.bounds,
                 {settings.render.width, settings.render.height}),
       bookmarks(settings.scene),
       panels(MakePanels()),

@@ -35,7 +35,7 @@ struct Selection {
 /// (KeyBindings.h), the pointer (PointerInput.h) and panels ask for; what is drawn is made of it in source/view/show.
 struct ViewerState {
   /// `shown`: read from the settings' file. The host must outlive it.
-  ViewerState(ViewerSettings begin, std::shared_ptr<const LoadedScene> shown, ViewerHost& around);
+  ViewerState(ViewerSettings begin, const LoadedScene& shown, ViewerHost& around);
   ViewerState(const ViewerState&) = delete;
 
   ViewerHost& host;
