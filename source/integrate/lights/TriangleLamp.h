@@ -29,6 +29,7 @@ class TriangleLamp {
   bool Holds(std::int64_t primitive) const {
     return triangles_.front().primitive <= primitive && primitive <= triangles_.back().primitive;
   }
+  const std::vector<EmissiveTriangle>& Triangles() const { return triangles_; }
   const R2::Color& Emission() const { return triangles_[0].emission; }
   const Instance* instance() const { return triangles_[0].instance; }
   double Area() const;

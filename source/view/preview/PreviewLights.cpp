@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <optional>
 
 #include "R1/Elementary.h"
 #include "source/integrate/lights/EmissiveShape.h"
@@ -12,6 +13,8 @@
 
 namespace ray {
 namespace {
+
+constexpr double flatness = 1e-6;  // how far off its plane a flat thing may be, of its width
 
 /// Attenuation in the world, of distances in the drawing space.
 void SetFalloff(PreviewLight& light, double constant, double linear, double quadratic, double radius) {
@@ -57,12 +60,36 @@ struct Emitter {
   R3::Point middle;
   double area = 0;  // as it looks from somewhere
   int lamps = 1;    // each of which shines with its full color, where emission is no radiance
+  std::optional<R3::Vector> normal{};  // unit; where all of it lies in one plane
 };
+
+/// The unit normal of the plane that a lamp lies in, if it lies in one.
+std::optional<R3::Vector> NormalOf(const TriangleLamp& lamp) {
+  const EmissiveTriangle& first = lamp.Triangles().front();
+  const R3::Vector normal = Unit(R3::Vector{first.normal.x, first.normal.y, first.normal.z});
+  const auto is_in_plane = [&](const EmissiveTriangle& triangle) {
+    return std::ranges::all_of(triangle.corners, [&](const R3::Point& corner) {
+      const R3::Vector way = corner - first.corners[0];
+      return std::abs(Dot(way, normal)) <= flatness * Length(way);
+    });
+  };
+  return std::ranges::all_of(lamp.Triangles(), is_in_plane) ? std::optional(normal) : std::nullopt;
+}
+
+/// On the side of the scene's middle, where most of what it lights is.
+void SetFlat(PreviewLight& light, const R3::Vector& normal, double radius) {
+  const auto& p = light.place;
+  const bool is_away = Dot(R3::Vector{p[0], p[1], p[2]}, normal) > 0;
+  light.direction = AsFloats(is_away ? -normal : normal);
+  light.radius = radius;
+  light.is_flat = light.casts_shadows = true;
+}
 
 PreviewLight LightOf(const Emitter& emitter, bool is_radiance, const DrawingSpace& space) {
   PreviewLight light;
   light.place = space.At(emitter.middle);
   light.casts_shadows = false;  // it would be in that of its own surface
+  if (emitter.normal) SetFlat(light, *emitter.normal, std::sqrt(2 * emitter.area / std::numbers::pi) / space.radius);
   light.color = (is_radiance ? emitter.area / std::numbers::pi : emitter.lamps) * emitter.emission;
   if (is_radiance) SetFalloff(light, 0, 0, 1, space.radius);
   return light;
@@ -76,10 +103,11 @@ std::vector<Emitter> EmittingMeshes(const World& world, EmissiveMeshes meshes) {
     const R3::Point middle = lamp.Bound().center;
     const double area = lamp.Area() / 2;  // turned this way and that, a triangle looks half as large as it is
     if (lamp.instance() != last) {
-      emitters.push_back({lamp.Emission(), middle, area, 1});
+      emitters.push_back({lamp.Emission(), middle, area, 1, NormalOf(lamp)});
     } else {
       Emitter& emitter = emitters.back();
       ++emitter.lamps;
+      emitter.normal.reset();
       emitter.area += area;
       emitter.middle = emitter.middle + (middle - emitter.middle) / emitter.lamps;
     }

@@ -26,6 +26,7 @@ struct PreviewLight {
   double constant = 1, linear = 0, quadratic = 0;  // of distances in the drawing space
   double radius = 0;                               // of its sphere or disc
   bool is_disc = false;                            // about its place, across its direction; with a radius > 0
+  bool is_flat = false;  // a point, but its shadows are those of the disc of that radius across its direction
   bool casts_shadows = true;
 };
 
@@ -40,7 +41,8 @@ struct PreviewLights {
 
 /// The lights that reach the scene in the settings' mode, as points and discs: sphere lights at their middle, what
 /// emits at its middle too, all triangles of a mesh as one. In mode whitted what emits shines as a point without
-/// fall-off, in mode path as its area over the square of the distance; see EmissiveTriangle and EmissiveShape.
+/// fall-off, in mode path as its area over the square of the distance; see EmissiveTriangle and EmissiveShape. Of what
+/// emits, meshes in one plane cast shadows: the others would be in that of their own surface.
 /// Strongest is what sends most to the middle of the scene.
 PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings, const DrawingSpace& space);
 

@@ -29,7 +29,8 @@ ClipMatrix Along(const R3::Vector& towards) {
 ClipMatrix From(const PreviewLight& light, const R3::Vector& towards, const R3::Vector& right, const R3::Vector& up) {
   const R3::Vector eye = AsVector(light.place);
   const double distance = Length(eye), farthest = distance + reach;
-  const double nearest = std::max({light.radius, distance - reach, nearest_of_farthest * farthest});
+  const double lamp = light.is_flat ? 0 : light.radius;
+  const double nearest = std::max({lamp, distance - reach, nearest_of_farthest * farthest});
   return Perspective(eye, towards, right, up, nearest, farthest);
 }
 
@@ -47,7 +48,7 @@ std::optional<ClipMatrix> OneView(const PreviewLight& light) {
   const double distance = Length(place), spot = R1::Acos(std::clamp(light.least_cosine, -1.0, 1.0));
   if (spot < widest_spot) return Cone(light, AsVector(light.direction), 1.01 * spot + 1e-3);
   if (distance > outside) return Cone(light, -place / distance, R1::Asin(reach / distance));
-  if (light.is_disc) return Cone(light, AsVector(light.direction), widest_disc);
+  if (light.is_disc || light.is_flat) return Cone(light, AsVector(light.direction), widest_disc);
   return {};
 }
 
@@ -63,7 +64,8 @@ std::vector<ClipMatrix> SixViews(const PreviewLight& light) {
 ///   source   Abramowitz and Stegun, Handbook of Mathematical Functions (1964), 25.4.61
 std::vector<PreviewLight> PlacesOf(const PreviewLight& light) {
   const R3::Vector place = AsVector(light.place);
-  const R3::Tangents across = R3::TangentsOf(light.is_disc ? AsVector(light.direction) : Unit(place));
+  const bool has_plane = light.is_disc || light.is_flat;
+  const R3::Tangents across = R3::TangentsOf(has_plane ? AsVector(light.direction) : Unit(place));
   std::vector<PreviewLight> places{light};
   for (int i = 0; i < places_of_light - 1; ++i) {
     const double angle = 2 * std::numbers::pi * i / (places_of_light - 1), r = std::sqrt(2.0 / 3) * light.radius;

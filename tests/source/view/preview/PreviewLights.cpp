@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tests/Project.h"
 
 namespace {
@@ -60,6 +63,32 @@ TEST(PreviewLights, OfAQuadIsAsStrongAsThatOfATriangle) {
   const auto lights = LightsOf(stage).lights;
   ASSERT_EQ(lights.size(), 1u);
   EXPECT_EQ(lights[0].color, (R2::Color{2, 1, 0.5}));
+}
+
+// A lamp in a ceiling casts the shadows of what is below it; what bends around would be in its own.
+TEST(PreviewLights, OfWhatEmitsInOnePlaneCastShadowsFromTheSideOfTheScene) {
+  const std::string emits =
+      "point_light 0 0 0  0 0 0  1 0 0\nmaterial  0 0 0  0 0 0  0 0 0  0 0 0  2 1 0.5  1 1 0\n";
+  const project::Stage ceiling(project::FromText(emits + "quad 0  -1 3 -1  1 3 -1  1 3 1  -1 3 1\nsphere -1  0 0 0  1\n"));
+  const auto lights = LightsOf(ceiling).lights;
+  ASSERT_EQ(lights.size(), 1u);
+  EXPECT_TRUE(lights[0].casts_shadows && lights[0].is_flat);
+  EXPECT_LT(lights[0].direction[1], -0.999F) << "downward";
+  const double radius = ray::DrawingSpace::Of(ceiling.scene->root.bounds).radius;
+  EXPECT_NEAR(lights[0].radius * radius, std::sqrt(4 / std::numbers::pi), 1e-9) << "as large as the quad";
+
+  R3::MeshData data;
+  data.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}};
+  data.triangles = {{0, 1, 2}, {0, 2, 3}};
+  for (const ray::EmissiveMeshes meshes : {ray::EmissiveMeshes::faces, ray::EmissiveMeshes::whole}) {
+    ray::Scene scene = project::FromText(emits + "tri 0  0 0 0  0 1 0  0 0 1");
+    scene.root.children.back().shape = std::make_shared<const R3::Mesh>(data);
+    ray::RenderSettings settings;
+    settings.trace.emissive_meshes = meshes;
+    const auto bent = LightsOf(project::Stage(std::move(scene)), settings).lights;
+    ASSERT_EQ(bent.size(), 1u);
+    EXPECT_FALSE(bent[0].casts_shadows);
+  }
 }
 
 TEST(PreviewLights, OfAMeshIsAsStrongAsItsLampsTogether) {

@@ -46,6 +46,21 @@ TEST(ShadowViews, SeeEveryPlaceOfTheSceneThatIsNotInsideTheLight) {
   }
 }
 
+TEST(ShadowViews, OfAFlatLampSeeWhatIsCloseToItFromAllItsPlaces) {
+  ray::PreviewLight lamp = At(0, 0.9F, 0);
+  lamp.radius = 0.3;
+  lamp.is_flat = true;
+  lamp.direction = {0, -1, 0};
+  const auto found = ray::ShadowViewsOf({lamp});
+  ASSERT_EQ(found.clip_from_drawing.size(), static_cast<std::size_t>(ray::places_of_light));
+  EXPECT_EQ(found.places.at(0), ray::places_of_light);
+  for (const ray::ClipMatrix& view : found.clip_from_drawing) {
+    EXPECT_TRUE(Sees(view, {0, 0.8, 0})) << "nearer than the lamp is wide";
+    EXPECT_TRUE(Sees(view, {0.3, -0.8, 0.3}));
+    EXPECT_FALSE(Sees(view, {0, 0.95, 0})) << "behind it";
+  }
+}
+
 TEST(ShadowViews, OfANarrowSpotSeeItsConeAlone) {
   ray::PreviewLight spot = At(0, 0, -0.5F);
   spot.least_cosine = std::cos(0.3);
