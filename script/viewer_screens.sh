@@ -42,7 +42,7 @@ for size in ${SIZES:-1280x800 3840x2160}; do
     printf 'key B\nkey E\ntick 0.1\n' | shot $theme $size boxes
     printf 'key X\ntick 0.1\n' | shot $theme $size section
     printf 'key S\nwait trace\nkey I\ntick 0.1\n' | shot $theme $size flat
-    printf 'key S\nwait trace\nkey R\nkey Control+Up\nkey Shift+D\ntick 0.1\n' | shot $theme $size difference
+    printf 'key S\nwait trace\nkey R\nkey [\nkey S\nwait trace\nkey Shift+D\ntick 0.1\n' | shot $theme $size difference
     printf 'key F8\nwait trace\ntick 0.1\n' | shot $theme $size normals
     printf 'down right %s Control\nmove 20 20\nup right 20 20 Control\ntick 0.1\n' "$middle" | shot $theme $size crop
   done

@@ -47,6 +47,15 @@ void Append(Lines& lines, const Lines& more) { lines.insert(lines.end(), more.be
 
 Rgba Shown(const R2::Color& color, double alpha) { return {Byte(color.r), Byte(color.g), Byte(color.b), Byte(alpha)}; }
 
+Rgba LineOnLight(const Rgba& color) {
+  constexpr double brightest = 0.2;  // luminance: 3 : 1 and more beside near white
+  const int least = std::min({color[0], color[1], color[2]});
+  const auto share = [&](std::size_t i) { return (color[i] - least) / 255.0; };
+  R2::Color light = DecodeSrgb(R2::Color{share(0), share(1), share(2)});
+  if (Luminance(light) > brightest) light = brightest / Luminance(light) * light;
+  return Shown(EncodeSrgb(light), color[3] / 255.0);
+}
+
 Rgba Faded(Rgba color, std::size_t count, std::size_t most) {
   constexpr double faintest = 1.0 / 50;
   if (count <= most) return color;

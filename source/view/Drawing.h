@@ -38,6 +38,8 @@ ClipMatrix Perspective(const R3::Vector& eye, const R3::Vector& towards, const R
 
 /// 8 bits per channel: red, green, blue, alpha.
 using Rgba = std::array<std::uint8_t, 4>;
+/// What stands for the color of a line on a dark ground where the ground is near white: darker, and of the same hue.
+Rgba LineOnLight(const Rgba& color);
 /// Clamped to what can be shown.
 Rgba Shown(const R2::Color& color, double alpha = 1);
 
@@ -65,7 +67,6 @@ struct Label {
   double x = 0, y = 0;
   std::string text;  // UTF-8
   Rgba color{255, 255, 255, 255};  // light, as on the black behind it
-  bool is_on_dark = false;         // whatever the theme, as what it belongs to is
   /// Opacity of the black behind it: letters as light as (208, 208, 208) keep 4.5 : 1, also where that covers white.
   static constexpr int ground_alpha = 170;
   /// Opacity of the near white behind it in a light theme: letters of OnLight keep 4.5 : 1, also where that covers

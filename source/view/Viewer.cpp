@@ -130,6 +130,12 @@ const std::vector<PanelItem>& Viewer::ItemsOfPanels() const {
 
 void Viewer::ShowPanels(const PanelSettings& look) { ray::ShowPanels(state_, look); }
 
+bool Viewer::TakeDetail(const DrawingDetail& detail) {
+  const bool is_news = state_.shows_panels && WordsFor(detail) != WordsFor(state_.detail);
+  state_.detail = detail;
+  return is_news;
+}
+
 void Viewer::TellMistakes(const SceneErrors& mistakes) { TellProblems(state_, state_.settings.scene, mistakes); }
 
 }  // namespace ray

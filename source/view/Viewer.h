@@ -46,6 +46,8 @@ class Viewer {
   void ShowPanels(const PanelSettings& look);
   /// The file of the settings has these mistakes, and the scene shown is another.
   void TellMistakes(const SceneErrors& mistakes);
+  /// The preview is drawn in that detail, which the status bar tells. Whether the last Show told something else.
+  bool TakeDetail(const DrawingDetail& detail);
   /// Shows a message.
   void Tell(const std::string& message) { state_.notices.Tell(message); }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "source/view/DrawingDetail.h"
 #include "source/view/FileWatch.h"
 #include "source/view/Layout.h"
 #include "source/view/Notices.h"
@@ -74,11 +75,13 @@ struct ViewerState {
   SectionView section;
   std::shared_ptr<const SliceAxes> section_drawing;  // null when it must be made again
   DrawingSize section_size;                          // of that
+  PanelTheme section_theme = PanelTheme::dark;       // likewise
   bool arrows_move_section = false;                  // else the pixel
 
   const std::unique_ptr<Panels> panels;
   bool shows_panels = false, shows_help = false, lists_scenes = false;
 
+  DrawingDetail detail;  // that the preview was drawn in last
   DrawingSize size;
   double scale = 1;                        // of the screen: pixels per unit of length
   R2::Point pointer{-1, -1};               // where it was last seen, in pixels of the drawing

@@ -315,7 +315,9 @@ class Session : public ViewerHost {
     const auto refinement = detail_.RefinementTime();
     if (has_news || (refinement && now >= *refinement)) {
       FrameState shown = viewer_.Show();
-      shown.detail = detail_.For(shown, now);
+      const DrawingDetail detail = detail_.For(shown, now);
+      if (viewer_.TakeDetail(detail)) shown = viewer_.Show();
+      shown.detail = detail;
       if (shown.detail.is_sparse) shown.faces_in_motion = viewer_.FacesInMotion();
       drawer_.Draw(shown);
       Canvas::Finish();

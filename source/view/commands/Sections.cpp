@@ -1,5 +1,7 @@
 #include "source/view/commands/Sections.h"
 
+#include <utility>
+
 namespace ray {
 
 void ToggleSection(ViewerState& viewer) {
@@ -31,12 +33,17 @@ void MoveSection(ViewerState& viewer, int by) {
 }
 
 void MakeSection(ViewerState& viewer) {
-  if (viewer.section_drawing && viewer.section_size == viewer.layout().section) return;
+  const PanelTheme theme = viewer.panels->Look().theme;
+  if (viewer.section_drawing && viewer.section_size == viewer.layout().section && viewer.section_theme == theme) return;
   viewer.section_size = viewer.layout().section;
+  viewer.section_theme = theme;
   viewer.section.Cut(viewer.scene.Loaded(), viewer.SettingsOfView(), viewer.navigator.Center(), viewer.section_size,
                      viewer.rays.Counts());
-  viewer.section_drawing = std::make_shared<const SliceAxes>(
-      viewer.section.Drawing(viewer.scene.Loaded(), viewer.rays.Look().WithoutChoice(), viewer.panels->Letters()));
+  SliceAxes drawing =
+      viewer.section.Drawing(viewer.scene.Loaded(), viewer.rays.Look().WithoutChoice(), viewer.panels->Letters());
+  if (theme == PanelTheme::light)
+    for (Vertex& vertex : drawing.lines) vertex.color = LineOnLight(vertex.color);
+  viewer.section_drawing = std::make_shared<const SliceAxes>(std::move(drawing));
 }
 
 std::string TextOfSection(const ViewerState& viewer) {

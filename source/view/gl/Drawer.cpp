@@ -9,7 +9,6 @@ constexpr double hidden_lines = 0.3;  // of their alpha is left where they are b
 constexpr double lit_width = 3;       // pixels
 constexpr int slider_width = 2;       // pixels
 constexpr R2::Color slider_color{1, 1, 1};
-constexpr R2::Color section_ground{0.08, 0.08, 0.1};
 constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 PictureLook LookOf(const FrameState::Picture& picture) {
@@ -151,9 +150,10 @@ void Drawer::Draw(const FrameState& state) {
   lists.Draw(Upload(lines_, state.lines), clip, width, hidden_lines);
   if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, width, hidden_lines);
   if (state.lit) lists.Draw(Upload(lit_, state.lit), clip, lit_width * width, hidden_lines);
+  if (state.crop) lists.Draw(Upload(crop_, state.crop), clip, width, 1);
   if (state.section) {
     canvas.SetViewport(state.view.width, 0, state.section_size.width, state.section_size.height);
-    canvas.Fill(section_ground);
+    canvas.Fill(state.section_ground);
     lists.Draw(Upload(section_, state.section), as_it_is, width, 1);
   }
   if (state.panels) painter_.panels.Draw(*state.panels, canvas);

@@ -47,7 +47,7 @@ class Drawer {
 
   Painter& painter_;
   Slot<ScenePicture, GpuSurfaces> faces_;
-  Slot<Lines, GpuLines> lines_, marks_, lit_, section_;
+  Slot<Lines, GpuLines> lines_, marks_, lit_, crop_, section_;
   PictureSlot quad_, picture_, beside_;
   std::vector<float> rows_;
 };

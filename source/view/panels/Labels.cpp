@@ -32,7 +32,7 @@ void DrawLabels(std::span<const Label> labels, double scale, PanelTheme theme) {
     const char *begin = label.text.data(), *end = begin + label.text.size();
     const float width = ImGui::CalcTextSize(begin, end).x;
     if (width == 0) continue;
-    const bool is_light = theme == PanelTheme::light && !label.is_on_dark;
+    const bool is_light = theme == PanelTheme::light;
     const auto& [red, green, blue, alpha] = is_light ? Label::OnLight(label.color) : label.color;
     const int gray = is_light ? Label::light_ground : 0;
     const int opacity = (is_light ? Label::light_ground_alpha : Label::ground_alpha) * alpha / 255;

@@ -396,10 +396,11 @@ class ImGuiPanels : public Panels {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float left = parts_.column ? all.x - static_cast<float>(Width(frame.viewer.size.width)) : all.x;
     const auto line = static_cast<float>(LettersOfLabels(Scale()).height);
+    const float top = parts_.column ? static_cast<float>(HeightOfBar()) + line / 2 : line;
     const float wide = std::min(static_cast<float>(help_share) * left, static_cast<float>(Pixels(help_wide)));
-    ImGui::SetNextWindowPos({std::floor((left - wide) / 2), line}, ImGuiCond_Always);
+    ImGui::SetNextWindowPos({std::floor((left - wide) / 2), std::floor(top)}, ImGuiCond_Always);
     // Below it a message has room.
-    ImGui::SetNextWindowSize({std::floor(wide), std::max(line, all.y - 3 * line)}, ImGuiCond_Always);
+    ImGui::SetNextWindowSize({std::floor(wide), std::max(line, std::floor(all.y - 2 * line - top))}, ImGuiCond_Always);
     ImGui::Begin("help", nullptr, fixed_window | ImGuiWindowFlags_NoResize);
     BeginText();
     help_.Draw(frame);

@@ -35,6 +35,10 @@ void DrawStatusBar(PanelFrame& frame) {
   const float letter = ImGui::CalcTextSize("0").x, all = ImGui::GetContentRegionAvail().x,
               from = ImGui::GetCursorPosX();
   ImGui::TextUnformatted(NameAndSize(viewer).c_str());
+  if (const std::string missing = WordsFor(viewer.detail); !missing.empty() && !viewer.FlatJob()) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", missing.c_str());
+  }
   const TracedPictures& pictures = viewer.pictures;
   const RenderJob* job = pictures.IsLive() ? pictures.Live() : pictures.Trace();
   if (!job) return;

@@ -4,7 +4,7 @@
 
 namespace ray {
 
-/// The scene, how far its image has come and how right it is, and the pixel under the pointer: in the window of Dear
+/// The scene, what its preview lacks for speed, how far its image has come and how right it is, and the pixel under the pointer: in the window of Dear
 /// ImGui that is being made, a line of its width.
 void DrawStatusBar(PanelFrame& frame);
 

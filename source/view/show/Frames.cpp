@@ -13,6 +13,8 @@
 namespace ray {
 namespace {
 
+constexpr R2::Color dark_section_ground{0.04, 0.04, 0.05}, light_section_ground{0.96, 0.96, 0.97};
+
 R2::Color InverseOf(const R2::Color& c) { return {1 - c.r, 1 - c.g, 1 - c.b}; }
 
 bool IsLight(RenderMode mode) {
@@ -140,6 +142,7 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
   if (viewer.section.IsShown()) {
     MakeSection(viewer);
     shown.section_size = viewer.section_size;
+    shown.section_ground = viewer.section_theme == PanelTheme::light ? light_section_ground : dark_section_ground;
     shown.section = {viewer.section_drawing, &viewer.section_drawing->lines};
   }
   const Exposure exposure{R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb};
@@ -160,6 +163,7 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
   shown.edge_color = Shown(InverseOf(shown.background));
   shown.lines = std::move(lines);
   shown.marks = std::make_shared<const Lines>(MakeMarks(viewer));
+  if (viewer.crop) shown.crop = std::make_shared<const Lines>(FrameOfCrop(viewer));
   if (viewer.rays.Look().chosen)
     shown.lit =
         std::make_shared<const Lines>(ChosenRay(*viewer.rays.Pixel(), viewer.scene.Space(), viewer.rays.Look()));

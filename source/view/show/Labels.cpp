@@ -115,7 +115,7 @@ std::vector<Label> MakeLabels(const ViewerState& viewer) {
   const int columns = static_cast<int>((viewer.layout().view.width - 2 * edge) / letters.width);
   if (viewer.section.IsShown())
     for (Label label : viewer.section_drawing->labels)
-      label.x += viewer.layout().view.width, label.is_on_dark = true, labels.push_back(std::move(label));
+      label.x += viewer.layout().view.width, labels.push_back(std::move(label));
   AddLabelsOfFlat(viewer, labels, letters);
   double y = viewer.layout().view.height - letters.height - edge;
   for (const auto& [text, color] : upper)

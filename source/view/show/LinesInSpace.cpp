@@ -12,24 +12,6 @@ constexpr double share_of_radius = 0.25;  // how far before it the image of the 
 constexpr double cross_size = 8;          // pixels from the middle of a mark to its end
 constexpr Rgba frustum_color{255, 255, 120, 255}, picked_color{255, 90, 90, 255}, chosen_color{255, 170, 60, 255};
 
-/// Around the crop, as deep in the view as the middle of what is drawn.
-Lines FrameOfCrop(const ViewerState& viewer) {
-  const Camera& camera = viewer.navigator.camera();
-  const R3::Box box = BoxOfDrawing(viewer);
-  const double depth = box.IsEmpty() ? 0 : DepthOf(camera, box.Center()), radius = viewer.scene.Space().radius;
-  const auto corner = [&](double x, double y) {
-    const R3::Ray ray = camera.Through(x, y, viewer.size.width, viewer.size.height);
-    const double distance = std::max(depth, radius) / Dot(ray.direction, camera.towards);
-    return viewer.scene.Space().At(ray.At(distance));
-  };
-  const double left = viewer.crop->x0, bottom = viewer.crop->y0, right = viewer.crop->x1, top = viewer.crop->y1;
-  const std::array corners{corner(left, bottom), corner(right, bottom), corner(right, top), corner(left, top)};
-  Lines lines;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    AddLine(lines, corners[i], corners[(i + 1) % corners.size()], chosen_color);
-  return lines;
-}
-
 }  // namespace
 
 bool ShowsFrameOfQuad(const ViewerState& viewer) {
@@ -71,9 +53,25 @@ Lines MakeMarks(const ViewerState& viewer) {
     Append(lines, AxesAt(*pivot, size_at(*pivot), viewer.scene.Space()));
   if (viewer.shows_panels || viewer.editor.IsDragging())
     Append(lines, viewer.editor.Marks(viewer, viewer.scene.Space(), size_at));
-  if (viewer.crop) Append(lines, FrameOfCrop(viewer));
   if (const auto& pick = viewer.selection.pick; pick && pick->point)
     Append(lines, CrossAt(*pick->point, size_at(*pick->point), viewer.scene.Space(), picked_color));
+  return lines;
+}
+
+Lines FrameOfCrop(const ViewerState& viewer) {
+  const Camera& camera = viewer.navigator.camera();
+  const R3::Box box = BoxOfDrawing(viewer);
+  const double depth = box.IsEmpty() ? 0 : DepthOf(camera, box.Center()), radius = viewer.scene.Space().radius;
+  const auto corner = [&](double x, double y) {
+    const R3::Ray ray = camera.Through(x, y, viewer.size.width, viewer.size.height);
+    const double distance = std::max(depth, radius) / Dot(ray.direction, camera.towards);
+    return viewer.scene.Space().At(ray.At(distance));
+  };
+  const double left = viewer.crop->x0, bottom = viewer.crop->y0, right = viewer.crop->x1, top = viewer.crop->y1;
+  const std::array corners{corner(left, bottom), corner(right, bottom), corner(right, top), corner(left, top)};
+  Lines lines;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    AddLine(lines, corners[i], corners[(i + 1) % corners.size()], chosen_color);
   return lines;
 }
 

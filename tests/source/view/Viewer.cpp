@@ -17,8 +17,8 @@ TEST_F(ViewerTest, ACropDraggedWithControlIsAllThatSRendersUntilEscapeClearsIt) 
   EXPECT_EQ(viewer_->Message(), "crop of 33x25 pixels; S renders it, Escape clears it");
   EXPECT_FALSE(viewer_->navigator().IsDragging()) << "the camera stays";
   const FrameState shown = viewer_->Show();
-  ASSERT_TRUE(shown.marks);
-  EXPECT_EQ(shown.marks->size(), 8u) << "the four sides of its frame";
+  ASSERT_TRUE(shown.crop);
+  EXPECT_EQ(shown.crop->size(), 8u) << "the four sides of its frame";
   Do("key S\nwait trace\n");
   ASSERT_EQ(host_.traced.size(), 1u);
   RenderSettings settings = viewer_->state().SettingsOfView();

@@ -83,6 +83,15 @@ double LeastContrast(const PanelDrawing& drawing) {
   return least;
 }
 
+/// Of all lines of the cross section, had they their full strength.
+double LeastContrastOfSection(const FrameState& shown) {
+  const R2::Color& c = shown.section_ground;
+  double least = most_contrast;
+  for (const Vertex& vertex : *shown.section)
+    least = std::min(least, contrast::Between(contrast::AsColor(vertex.color), {c.r, c.g, c.b}));
+  return least;
+}
+
 class PanelContrast : public ScriptedViewer<WithOptions, 512, 512> {
  protected:
   void Click(const std::string& start) {
@@ -97,6 +106,12 @@ class PanelContrast : public ScriptedViewer<WithOptions, 512, 512> {
     ExpectReadable(start + ", pressed");
     Do("up left " + at);
     ExpectReadable(start + ", clicked");
+  }
+  void ExpectSectionSeen() {
+    const FrameState shown = viewer_->Show();
+    ASSERT_TRUE(shown.section);
+    EXPECT_GT(shown.section->size(), 1000u);
+    EXPECT_GE(LeastContrastOfSection(shown), contrast::of_marks);
   }
   void ExpectReadable(const std::string& where) {
     const auto panels = viewer_->Show().panels;
@@ -164,6 +179,8 @@ TEST_F(PanelContrast, LabelsOverTheViewAreReadInBothThemesAndAreOfTheTheme) {
     Do("key Escape");
     Do("key X");
     ExpectReadable("axes of the cross section");
+    EXPECT_EQ(GroundsOf(*viewer_->Show().panels, other), 0);
+    ExpectSectionSeen();
   }
 }
 

@@ -543,6 +543,33 @@ TEST_F(PanelTest, TheHelpKeepsClicksFromThePictureBelow) {
   EXPECT_TRUE(viewer_->Picked());
 }
 
+TEST_F(PanelTest, TellWhatThePreviewLacksForSpeed) {
+  DrawingDetail sparse, rough;
+  sparse.is_sparse = true;
+  rough.is_smooth = false;
+  EXPECT_FALSE(viewer_->TakeDetail(sparse)) << "no panels tell it";
+  Do("key Tab");
+  EXPECT_TRUE(Says("fewer lights and triangles")) << viewer_->TextOfPanels();
+  EXPECT_TRUE(viewer_->TakeDetail(rough));
+  EXPECT_FALSE(viewer_->TakeDetail(rough));
+  EXPECT_TRUE(Says("edges not smoothed")) << viewer_->TextOfPanels();
+  EXPECT_TRUE(viewer_->TakeDetail({}));
+  EXPECT_FALSE(Says("edges")) << viewer_->TextOfPanels();
+}
+
+TEST_F(PanelTest, TheHelpIsBelowTheStatusBar) {
+  Do("key Tab\nkey H");
+  const double bar = viewer_->state().panels->HeightOfBar();
+  const int view = viewer_->Show().view.width;
+  int below = 0;
+  for (const PanelDrawing::Part& part : viewer_->Show().panels->parts) {
+    if (part.left <= 0 || part.right >= view || part.bottom <= bar) continue;
+    ++below;
+    EXPECT_GE(part.top, bar);
+  }
+  EXPECT_GT(below, 0);
+}
+
 TEST_F(PanelTest, LeaveTheCutBesideThem) {
   Do("resize 1000 600\nkey X\nkey Tab");
   const FrameState shown = viewer_->Show();
