@@ -4,8 +4,8 @@
 
 #include "R2/Color.h"
 
-/// Curves that fit light of any strength into [0, 1], each channel on its own. What comes out is still light for a
-/// screen; the sRGB curve is applied after them.
+/// Curves that fit light of any strength into [0, 1], each channel on its own. The result is still linear light; the
+/// sRGB curve is applied after it.
 namespace R2 {
 
 struct ToneCurve {

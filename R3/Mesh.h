@@ -19,7 +19,7 @@ namespace R3 {
 class Mesh : public Shape {
  public:
   /// Asserts what MeshData demands. `smooth` uses the normals of the data; without any the mesh is flat.
-  ///   file   holds just this data and was read for it; empty for none
+  ///   file   the name of the file that the data was read from, if it holds nothing else; otherwise empty
   explicit Mesh(MeshData data, bool smooth = false, std::string file = {});
 
   int Elements() const override { return static_cast<int>(data_.triangles.size()); }
@@ -31,7 +31,7 @@ class Mesh : public Shape {
   /// vertices, such as a texture or the light of a lamp nearby, is seen between them too.
   MeshData Tessellate(int fineness) const override;
   Form FormOfElements() const override { return Form::flat; }
-  bool IsSolid() const override { return false; }  // whether it is closed is not looked at
+  bool IsSolid() const override { return false; }  // a surface, closed or not
   bool HasTextureCoordinates() const override { return !data_.uvs.empty(); }
   bool IsDegenerate() const override { return data_.triangles.empty(); }
   /// The recipe of a single triangle with the texture coordinates of a `tri`.
@@ -58,10 +58,11 @@ class Mesh : public Shape {
   /// Whether the triangles bound a volume, their fronts outward; see Winding.h.
   bool IsClosed() const;
 
-  /// The data given, without its lines. Normals are zero or (unless moved) unit, and triangles turned as they say.
+  /// The data given, without its line numbers, and with triangles turned to agree with the normals; these are zero or,
+  /// unless moved, of unit length.
   const MeshData& Data() const { return data_; }
   bool IsSmooth() const { return smooth_; }
-  /// Empty for a mesh that was made otherwise, or moved.
+  /// Empty unless the mesh was read from a file of its own and has not been moved.
   const std::string& File() const { return file_; }
   /// How many triangles had no area.
   int DroppedTriangles() const { return dropped_; }

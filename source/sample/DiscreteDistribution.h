@@ -50,7 +50,7 @@ class DiscreteDistribution {
   std::size_t PartOf(double sum) const { return std::min(static_cast<std::size_t>(sum * parts_per_sum_), Size()); }
 
   std::vector<double> sums_;  // of the weights before each index, and of all, in units of the largest weight
-  double sum_;                // the last of them
+  double sum_;                // their total
   double parts_per_sum_;
   std::vector<std::uint32_t> first_of_part_;  // the least index whose weight's end is in a part or beyond
 };

@@ -5,14 +5,14 @@
 
 namespace ray {
 
-/// FNV-1a of 64 bits, which tells any single changed bit; not made against forgers.
+/// 64-bit FNV-1a, which detects any single-bit change. It is not cryptographic.
 ///   source  Fowler, Noll, Vo, Eastlake, The FNV non-cryptographic hash algorithm (2019)
 class Hash {
  public:
   void Add(std::span<const unsigned char> bytes) {
     for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * prime;
   }
-  /// The step of a byte done once for a whole word, whose upper half is folded in: an eighth of the time.
+  /// One step for a whole word, whose upper half is folded in, instead of one per byte: an eighth of the time.
   void AddWord(std::uint64_t word) { hash_ = (hash_ ^ word ^ word >> 32) * prime; }
   std::uint64_t Value() const { return hash_; }
 

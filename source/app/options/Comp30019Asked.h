@@ -6,7 +6,7 @@
 
 namespace ray::comp30019 {
 
-/// Everything that the options of COMP30019's command line decide, with their defaults.
+/// What the options of COMP30019's command line set, with their defaults.
 struct Asked {
   std::string file, output;
   int width = 400, height = 400, samples_a_side = 1, quality = 0;

@@ -30,9 +30,10 @@ std::string StoppedRender::Keep(const RenderJob& stopped, Options options) {
   if (stopped.Settings().view) return "raypro could not: the camera is not the scene's (Shift+K, Control+S)";
   if (IsEdited(stopped.scene())) return "raypro could not: the scene has changes that are not saved";
   try {
-    const std::string identity = IdentityForRaypro(stopped, options);
+    const auto files = options.files;
+    const std::string identity = IdentityForRaypro(stopped, std::move(options));
     if (identity != identity_) checkpoint_.reset();
-    if (!checkpoint_) checkpoint_.emplace(options.files, CheckpointOptions{}, false);
+    if (!checkpoint_) checkpoint_.emplace(files, CheckpointOptions{}, false);
     checkpoint_->Save(stopped.Canceled()->state, identity);
     identity_ = identity;
     return "so does raypro -resume, from " + checkpoint_->Name();

@@ -32,14 +32,14 @@ class AcceleratorComparison {
   ~AcceleratorComparison();
   AcceleratorComparison(const AcceleratorComparison&) = delete;
 
-  /// No further kind is begun. Returns at once.
+  /// Lets no further kind begin, and returns at once.
   void Stop() { stop_.store(true); }
   bool HasEnded() const { return has_ended_.load(std::memory_order_acquire); }
   /// The costs found so far.
   std::vector<AcceleratorCost> Costs() const;
-  /// The kind that is being looked at; empty once it has ended.
+  /// The kind being measured; empty at the end.
   std::string Current() const;
-  /// Grows with everything that the functions above return.
+  /// Grows whenever the functions above would return something new.
   int Version() const { return version_.load(std::memory_order_acquire); }
 
  private:
