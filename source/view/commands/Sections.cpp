@@ -1,5 +1,7 @@
 #include "source/view/commands/Sections.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ray {
@@ -32,6 +34,8 @@ void MoveSection(ViewerState& viewer, int by) {
   viewer.notices.Tell("cross section: " + viewer.section.Describe(viewer.size.height));
 }
 
+int LineWidth(const ViewerState& viewer) { return std::max(1, static_cast<int>(std::lround(viewer.scale))); }
+
 void MakeSection(ViewerState& viewer) {
   const PanelTheme theme = viewer.panels->Look().theme;
   if (viewer.section_drawing && viewer.section_size == viewer.layout().section && viewer.section_theme == theme) return;
@@ -40,7 +44,8 @@ void MakeSection(ViewerState& viewer) {
   viewer.section.Cut(viewer.scene.Loaded(), viewer.SettingsOfView(), viewer.navigator.Center(), viewer.section_size,
                      viewer.rays.Counts());
   SliceAxes drawing =
-      viewer.section.Drawing(viewer.scene.Loaded(), viewer.rays.Look().WithoutChoice(), viewer.panels->Letters());
+      viewer.section.Drawing(viewer.scene.Loaded(), viewer.rays.Look().WithoutChoice(), viewer.panels->Letters(),
+                             LineWidth(viewer));
   if (theme == PanelTheme::light)
     for (Vertex& vertex : drawing.lines) vertex.color = LineOnLight(vertex.color);
   viewer.section_drawing = std::make_shared<const SliceAxes>(std::move(drawing));

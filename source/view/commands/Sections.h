@@ -12,6 +12,8 @@ void ToggleSection(ViewerState& viewer);
 void ShowSection(ViewerState& viewer, SlicePlane plane);
 void NextPlane(ViewerState& viewer);
 void MoveSection(ViewerState& viewer, int by);
+/// Of all lines, in pixels: as the density of the screen asks for.
+int LineWidth(const ViewerState& viewer);
 /// Makes its drawing again where that is due; it is shown.
 void MakeSection(ViewerState& viewer);
 /// What is under the pointer; empty where that is not on the cross section.

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <map>
 
+#include "R1/Elementary.h"
+
 namespace ray {
 namespace {
 
-constexpr std::uint8_t alpha_of_filling = 80;  // so that what is inside something else is seen through it
+constexpr double alpha_of_filling = 80 / 255.0;  // so that what is inside something else is seen through it
 
 Rgba ColorOfCut(const World& world, std::uint32_t instance) {
   const Material& m = *world.Instances()[instance].material;
@@ -55,6 +57,11 @@ void AddRows(Outline& outline, const SliceView& view, const R2::Point& a, const 
   }
 }
 
+/// What so many layers have each that have the alpha of the filling together.
+std::uint8_t AlphaOfLayer(int layers) {
+  return static_cast<std::uint8_t>(std::lround(255 * (1 - R1::Pow(1 - alpha_of_filling, 1.0 / layers))));
+}
+
 void AddSpans(Lines& lines, Outline& outline, const SliceView& view, const Rgba& color) {
   std::sort(outline.crossings.begin(), outline.crossings.end());
   int depth = 0;
@@ -84,7 +91,7 @@ Lines CutLines(const SceneCut& cut, const World& world, const SliceView& view) {
   return lines;
 }
 
-Lines CutFilling(const SceneCut& cut, const World& world, const SliceView& view) {
+Lines CutFilling(const SceneCut& cut, const World& world, const SliceView& view, int line_width) {
   std::map<std::uint32_t, Outline> outlines;  // by instance
   for (const Crossing& c : cut.crossings)
     outlines[c.instance].ends[static_cast<std::uint32_t>(&c - cut.crossings.data())];
@@ -103,7 +110,7 @@ Lines CutFilling(const SceneCut& cut, const World& world, const SliceView& view)
   for (auto& [instance, outline] : outlines) {
     if (!world.Instances()[instance].shape->IsSolid() && !outline.IsClosed()) continue;
     Rgba color = ColorOfCut(world, instance);
-    color[3] = alpha_of_filling;
+    color[3] = AlphaOfLayer(line_width);
     AddSpans(lines, outline, view, color);
   }
   return lines;

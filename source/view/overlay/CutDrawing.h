@@ -9,7 +9,8 @@ namespace ray {
 Lines CutLines(const SceneCut& cut, const World& world, const SliceView& view);
 
 /// The insides of what is cut, in the same colors, fainter: a line through the middle of each row of pixels. Of solids,
-/// and of others whose cut consists of closed curves. What has no end on a row is not filled there.
-Lines CutFilling(const SceneCut& cut, const World& world, const SliceView& view);
+/// and of others whose cut consists of closed curves. What has no end on a row is not filled there. Lines that are
+/// several pixels wide lie over each other, and are the fainter.
+Lines CutFilling(const SceneCut& cut, const World& world, const SliceView& view, int line_width = 1);
 
 }  // namespace ray

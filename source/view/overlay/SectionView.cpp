@@ -97,9 +97,10 @@ void SectionView::TraceLine(const LoadedScene& scene, const RenderSettings& sett
     rays_.push_back(line.is_column ? tracer.Trace(line.at, i, 1) : tracer.Trace(i, line.at, 1));
 }
 
-SliceAxes SectionView::Drawing(const LoadedScene& scene, const RayLook& look, const LetterSize& letters) const {
+SliceAxes SectionView::Drawing(const LoadedScene& scene, const RayLook& look, const LetterSize& letters,
+                               int line_width) const {
   SliceAxes drawing = AxesOf(view_, coordinates_, letters);
-  Append(drawing.lines, CutFilling(*cut_, scene.world, view_));
+  Append(drawing.lines, CutFilling(*cut_, scene.world, view_, line_width));
   Append(drawing.lines, CutLines(*cut_, scene.world, view_));
   AddNormals(drawing.lines);
   AddRays(drawing.lines, look);

@@ -31,7 +31,8 @@ class SectionView {
   /// The rays of every so many pixels, traced with the cut.
   const std::vector<PixelTrace>& Rays() const { return rays_; }
   /// All of it, in the square from -1 to 1, and labels in pixels from its lower left corner. Once it was cut.
-  SliceAxes Drawing(const LoadedScene& scene, const RayLook& look, const LetterSize& letters) const;
+  ///   line_width   pixels, that lines will be drawn in
+  SliceAxes Drawing(const LoadedScene& scene, const RayLook& look, const LetterSize& letters, int line_width = 1) const;
   /// Where a pixel of the drawing is, how far from the eye (camera_row) or the origin of the plane's axes, and how far
   /// from another pixel. Once it was cut.
   std::string Tell(const R2::Point& pixel, const std::optional<R2::Point>& from) const;

@@ -170,7 +170,7 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
   shown.quad = QuadInSpace(viewer, exposure);
   shown.picture = CoveringPicture(viewer);
   ShowFlat(viewer, shown);
-  shown.line_width = std::max(1, static_cast<int>(std::lround(viewer.scale)));  // as the density of the screen asks for
+  shown.line_width = LineWidth(viewer);
   shown.labels = MakeLabels(viewer);
   if (!shown.labels.empty() || viewer.shows_panels || viewer.shows_help)
     shown.panels = viewer.panels->Draw(viewer, shown.labels);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <numbers>
@@ -61,6 +62,16 @@ TEST(CutFilling, OfASphereIsADiskAndOfATorusARingOrTwoDisks) {
   EXPECT_NEAR(ring.Area(), of_ring, share * of_ring);
   const Seen disks(R3::MakeShape("torus", {0, 0, 0, 1, 0.25}), ray::SlicePlane::xy, {0, 0, 0});
   EXPECT_NEAR(disks.Area(), 2 * pi * 0.25 * 0.25, share * 2 * pi * 0.25 * 0.25);
+}
+
+TEST(CutFilling, IsAsStrongInLinesThatLieOverEachOther) {
+  const Seen sphere(R3::MakeShape("sphere", {0, 0, 0, 1}), ray::SlicePlane::xz, {0, 0, 0});
+  const auto behind = [&](int line_width) {
+    const ray::Lines lines = CutFilling(sphere.cut, sphere.stage.world, sphere.view, line_width);
+    return std::pow(1 - lines.at(0).color[3] / 255.0, line_width);  // what is seen of the ground
+  };
+  EXPECT_GT(behind(1), 0.5);
+  for (const int line_width : {2, 3}) EXPECT_NEAR(behind(line_width), behind(1), 0.01) << line_width;
 }
 
 TEST(CutFilling, IsOfClosedMeshesAndNotOfSheets) {
