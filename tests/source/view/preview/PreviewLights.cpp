@@ -69,7 +69,8 @@ TEST(PreviewLights, OfAQuadIsAsStrongAsThatOfATriangle) {
 TEST(PreviewLights, OfWhatEmitsInOnePlaneCastShadowsFromTheSideOfTheScene) {
   const std::string emits =
       "point_light 0 0 0  0 0 0  1 0 0\nmaterial  0 0 0  0 0 0  0 0 0  0 0 0  2 1 0.5  1 1 0\n";
-  const project::Stage ceiling(project::FromText(emits + "quad 0  -1 3 -1  1 3 -1  1 3 1  -1 3 1\nsphere -1  0 0 0  1\n"));
+  const project::Stage ceiling(
+      project::FromText(emits + "quad 0  -1 3 -1  1 3 -1  1 3 1  -1 3 1\nsphere -1  0 0 0  1\n"));
   const auto lights = LightsOf(ceiling).lights;
   ASSERT_EQ(lights.size(), 1u);
   EXPECT_TRUE(lights[0].casts_shadows && lights[0].is_flat);
