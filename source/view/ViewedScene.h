@@ -25,8 +25,8 @@ class ViewedScene {
   const World& world() const { return loaded_->world; }
   const DrawingSpace& Space() const { return space_; }
   const std::shared_ptr<const ScenePicture>& Faces() const { return faces_; }
-  /// The same in few triangles, for views that move on a slow renderer; null where Faces are few enough. Made when it
-  /// is first asked for.
+  /// The scene's surfaces in few triangles, for views that move on a slow renderer; null where Faces are few enough.
+  /// Made when they are first asked for.
   const std::shared_ptr<const Surfaces>& FacesInMotion();
   /// What is drawn otherwise than it is traced, in words; empty where nothing is.
   const std::string& Notes() const { return notes_; }

@@ -12,7 +12,7 @@ struct PhongSurface {
   R2::Color shown{1, 1, 1};  // by a specular map
 };
 
-/// Exponents of one surface. R1::WholePower of all, a bit of the exponent after the other.
+/// The exponent of one surface, which all samples are raised to as by R1::WholePower, bit by bit.
 struct OneExponent {
   std::uint64_t exponent;
 
@@ -26,7 +26,7 @@ struct OneExponent {
   }
 };
 
-/// Those of a surface for each sample.
+/// An exponent for each sample, which is raised to it as by R1::WholePower, bit by bit.
 struct ExponentOfEach {
   const std::uint64_t* exponents;
   std::uint64_t bits;  // that any of them has

@@ -12,7 +12,7 @@ void ToggleSection(ViewerState& viewer);
 void ShowSection(ViewerState& viewer, SlicePlane plane);
 void NextPlane(ViewerState& viewer);
 void MoveSection(ViewerState& viewer, int by);
-/// Of all lines, in pixels: as the density of the screen asks for.
+/// How wide all lines are, in pixels: wider on denser screens.
 int LineWidth(const ViewerState& viewer);
 /// Makes its drawing again where that is due; it is shown.
 void MakeSection(ViewerState& viewer);
