@@ -48,7 +48,7 @@ class Whitted : public Integrator {
   /// Puts the rays that a surface reflects and transmits on state.pending, unless the path ends here or `room`, how
   /// many more descendants the camera ray may have, is used up. Returns how many it put there.
   int PushSpawned(const ShadingPoint& p, int room, TraceState& state) const;
-  /// PushSpawned of a surface that may.
+  /// What PushSpawned does where the surface may reflect or transmit.
   int PushSpecular(const ShadingPoint& p, int room, TraceState& state) const;
   /// The rays that a surface reflects and transmits.
   void Spawn(const ShadingPoint& p, TraceState& state) const;

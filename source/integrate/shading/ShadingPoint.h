@@ -13,7 +13,7 @@ struct ShadingPoint {
   /// What is known at first.
   ShadingPoint(const R3::Ray& ray, const PathState& arriving, const WorldHit& surface)
       : path(arriving), hit(surface), direction(ray.direction), time(ray.time) {}
-  /// That of a camera ray, made in place.
+  /// The point that a camera ray hits, whose path is made in place instead of copied.
   ShadingPoint(const R3::Ray& ray, const SampleIndex& index, const WorldHit& surface)
       : path{.index = index}, hit(surface), direction(ray.direction), time(ray.time) {}
 
