@@ -66,7 +66,7 @@ struct Emitter {
 /// The unit normal of the plane that a lamp lies in, if it lies in one.
 std::optional<R3::Vector> NormalOf(const TriangleLamp& lamp) {
   const EmissiveTriangle& first = lamp.Triangles().front();
-  const R3::Vector normal = Unit(R3::Vector{first.normal.x, first.normal.y, first.normal.z});
+  const R3::Vector normal = Unit(AsVector(first.normal));
   const auto is_in_plane = [&](const EmissiveTriangle& triangle) {
     return std::ranges::all_of(triangle.corners, [&](const R3::Point& corner) {
       const R3::Vector way = corner - first.corners[0];
