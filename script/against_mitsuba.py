@@ -2,9 +2,10 @@
 """Path tracing beside Mitsuba 3: the same five scenes written in both languages, rendered on one thread.
 
     script/against_mitsuba.py [-samples 16] [-width 256] [-reference 512] [-mesh scan.obj] [-variant llvm_ad_rgb]
-                              [-sampler multijitter] [-runs 3]
+                              [-sampler multijitter] [-runs 3] [-simd avx2]
 
-Needs `pip install mitsuba numpy`. RAYPRO names the program (default build/raypro).
+Needs `pip install mitsuba numpy`. RAYPRO names the program (default build/raypro). With -simd avx2 both are kept to
+vectors of 256 bits, raypro in its kernels for rays and Mitsuba in what LLVM compiles for it.
 
 For each scene: camera samples per CPU second, of the fastest run, without start and load (and, of Mitsuba, without
 compiling its kernels);
@@ -27,6 +28,7 @@ import beside
 root = Path(__file__).resolve().parent.parent
 raypro = os.environ.get("RAYPRO", str(root / "build/raypro"))
 most_bounces = 6
+simd = "best"  # of raypro
 
 
 class Scene:
@@ -203,7 +205,7 @@ def ours(scene, width, samples, runs=1, seed=0):
         subprocess.run(
             [raypro, str(scene.path), str(out), "-width", str(width), "-height", str(width), "-samples", str(samples),
              "-mode", "path", "-max_depth", str(scene.bounces), "-threads", "1", "-seed", str(seed), "-quiet", "-restart",
-             *scene.options],
+             "-simd", simd, *scene.options],
             check=True)
         return beside.children_seconds() - before
 
@@ -239,6 +241,16 @@ def theirs(scene, width, samples, sampler, runs=1, seed=0):
     return min((run() for _ in range(runs)), key=lambda made: made[1])
 
 
+def keep_to_avx2(mitsuba):
+    """Has Mitsuba compile for vectors of 256 bits. Dr.Jit has no name for that in Python, but a function of C++."""
+    import ctypes
+
+    core = ctypes.CDLL(str(Path(mitsuba.__file__).parent.parent / "drjit" / "libdrjit-core.so"))
+    core._Z19jit_llvm_set_targetPKcS0_j(b"x86-64-v3", None, 8)
+    if core._Z21jit_llvm_vector_widthv() != 8:
+        sys.exit("against_mitsuba.py: Mitsuba cannot be kept to AVX2")
+
+
 def relative_error(image, truth):
     import numpy as np
 
@@ -253,6 +265,7 @@ def main():
     parser.add_argument("-mesh", help="an OBJ for the scene scan; without it a ball with bumps")
     parser.add_argument("-variant", default="llvm_ad_rgb", help="of Mitsuba; also scalar_rgb")
     parser.add_argument("-sampler", default="multijitter", help="of Mitsuba, whose own default is independent")
+    parser.add_argument("-simd", choices=("best", "avx2"), default="best", help="of both programs")
     parser.add_argument("-runs", type=int, default=3, help="of each program; the fastest counts")
     asked = parser.parse_args()
     try:
@@ -262,8 +275,12 @@ def main():
         sys.exit("against_mitsuba.py: %s; pip install mitsuba numpy" % missing)
     mi.set_variant(asked.variant)
     mi.set_log_level(mi.LogLevel.Error)
-    print("raypro beside Mitsuba %s %s, %s, %dx%d, %d samples, %d bounces, one thread; %s; %s" % (
-        mi.__version__, asked.variant, asked.sampler, asked.width, asked.width, asked.samples, most_bounces, beside.processor(),
+    if asked.simd == "avx2":
+        global simd
+        simd = "avx2"
+        keep_to_avx2(mi)
+    print("raypro beside Mitsuba %s %s, %s, -simd %s, %dx%d, %d samples, %d bounces, one thread; %s; %s" % (
+        mi.__version__, asked.variant, asked.sampler, asked.simd, asked.width, asked.width, asked.samples, most_bounces, beside.processor(),
         time.strftime("%Y-%m-%d")))
     print("%-9s%11s%11s%8s%12s%12s%12s%14s" % (
         "scene", "ours M/s", "theirs M/s", "ratio", "our error", "their error", "efficiency", "means differ"))
