@@ -6,7 +6,7 @@
 #include <new>
 #include <type_traits>
 
-#include "source/accelerate/HugePages.h"
+#include "R1/HugePages.h"
 
 namespace ray {
 
@@ -20,11 +20,11 @@ class HugeArray {
   explicit HugeArray(std::size_t size) : size_(size) {
     if (size == 0) return;
     constexpr std::size_t line = 64;
-    const std::size_t alignment = Bytes() >= huge_page / 2 ? huge_page : line;
+    const std::size_t alignment = Bytes() >= R1::huge_page / 2 ? R1::huge_page : line;
     const std::size_t bytes = (Bytes() + alignment - 1) / alignment * alignment;
     data_.reset(static_cast<T*>(std::aligned_alloc(alignment, bytes)));
     if (!data_) throw std::bad_alloc();
-    PreferHugePages(data_.get(), bytes);
+    R1::PreferHugePages(data_.get(), bytes);
   }
 
   T& operator[](std::size_t i) { return data_.get()[i]; }

@@ -5,7 +5,7 @@
 
 #include "R3/OneSided.h"
 #include "source/accelerate/BoundsPadding.h"
-#include "source/accelerate/HugePages.h"
+#include "R1/HugePages.h"
 #include "source/accelerate/Repetitions.h"
 #include "source/scene/Singular.h"
 
@@ -22,8 +22,8 @@ std::string LeftOut(const Scene& scene, const Location& location) {
 /// Rays jump around in a mesh's corners.
 void PutOnHugePages(const R3::Mesh& mesh) {
   const R3::MeshData& data = mesh.Data();
-  PreferHugePages(data.positions.data(), data.positions.size() * sizeof(data.positions[0]));
-  PreferHugePages(data.triangles.data(), data.triangles.size() * sizeof(data.triangles[0]));
+  R1::PreferHugePages(data.positions.data(), data.positions.size() * sizeof(data.positions[0]));
+  R1::PreferHugePages(data.triangles.data(), data.triangles.size() * sizeof(data.triangles[0]));
 }
 
 }  // namespace

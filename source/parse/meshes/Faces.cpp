@@ -68,7 +68,7 @@ void Faces::AddVertices() {
 
 void Faces::AddTriangle(const std::array<std::uint32_t, 3>& names, const Token& where) {
   mesh_.triangles.push_back(names);
-  mesh_.lines.push_back(LocationOf(0, where).line);
+  if (where.line != 0) mesh_.lines.push_back(LocationOf(0, where).line);
 }
 
 void Faces::Warn(const Text& file, Report& report) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "R1/HugePages.h"
 #include "R3/Mesh.h"
 #include "source/parse/Report.h"
 #include "source/parse/Text.h"
@@ -23,6 +24,8 @@ class Faces {
  public:
   explicit Faces(R3::MeshData& mesh) : mesh_(mesh) {}
 
+  /// Makes room for triangles, of a file that says how many follow.
+  void Reserve(std::size_t triangles) { R1::ReserveOnHugePages(mesh_.triangles, triangles); }
   /// Adds a face whose corners are at `places`, indices into the mesh's positions; the triangles are made of the
   /// `names` that go with them. Gives what is wrong with the face, or null. A face of fewer than 3 corners, which
   /// real files do hold, is counted and left out.

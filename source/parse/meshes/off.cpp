@@ -101,6 +101,7 @@ class OffReader {
   }
 
   void ReadVertices() {
+    R1::ReserveOnHugePages(mesh_.positions, vertices_);
     for (std::size_t i = 0; i < vertices_; ++i) {
       ReadVertex(i);
       if (!words_.HasMoreOnLine()) continue;
@@ -150,6 +151,7 @@ class OffReader {
 
   void ReadFaces(Faces& faces) {
     std::vector<std::uint32_t> corners;
+    faces.Reserve(faces_);
     std::size_t i = 0;
     for (; i < faces_ && !words_.AtEnd(); ++i) {
       const std::int64_t count = words_.Whole({"number of corners", "face", i});

@@ -98,6 +98,7 @@ class PlyReader {
     const auto colors = FindColors(element);
 
     const PlyColumns columns{.coordinates{places->begin(), places->end()}};
+    R1::ReserveOnHugePages(mesh_.positions, element.count);
     PlyRow row;
     for (std::size_t i = 0; i < element.count; ++i) {
       rows_.Read(element, i, columns, row);
@@ -144,6 +145,7 @@ class PlyReader {
     has_face_colors_ = FindColors(element).has_value();
     PlyRow row;
     std::vector<std::uint32_t> corners;
+    faces_.Reserve(element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
       const PlyPlace place{element.name, i};
       rows_.Read(element, i, columns, row);

@@ -33,8 +33,8 @@ double ReadCoordinate(Bytes& bytes, const Text& file, const char* axis, std::siz
 R3::MeshData ReadTriangles(const Text& file, std::size_t triangles) {
   Bytes bytes(file.bytes, first_triangle, std::endian::little);
   R3::MeshData mesh;
-  mesh.positions.reserve(3 * triangles);
-  mesh.triangles.reserve(triangles);
+  R1::ReserveOnHugePages(mesh.positions, 3 * triangles);
+  R1::ReserveOnHugePages(mesh.triangles, triangles);
   for (std::size_t i = 0; i < triangles; ++i) {
     bytes.Skip(3 * sizeof(float));  // the normal follows from the corners
     for (int corner = 0; corner < 3; ++corner) {

@@ -7,7 +7,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace ray {
+namespace R1 {
 
 inline constexpr std::size_t huge_page = std::size_t{1} << 21;  // bytes
 
@@ -27,4 +27,12 @@ inline void PreferHugePages(const void* data, std::size_t bytes) {
 #endif
 }
 
-}  // namespace ray
+/// Makes room for that many elements of an array that is still to be filled. Memory that is on huge pages from its first
+/// use on need not be moved there.
+template <typename Array>
+void ReserveOnHugePages(Array& array, std::size_t size) {
+  array.reserve(size);
+  PreferHugePages(array.data(), array.capacity() * sizeof(typename Array::value_type));
+}
+
+}  // namespace R1
