@@ -24,7 +24,7 @@ struct alignas(16) RayHit {
 };
 inline constexpr std::uint32_t nothing = ~0u;
 
-/// The same for `size` rays side by side, 8 or 16.
+/// RayHit for `size` rays side by side, 8 or 16.
 template <int size>
 struct alignas(64) RayHits {
   float origin_x[size], origin_y[size], origin_z[size], near[size], direction_x[size], direction_y[size],

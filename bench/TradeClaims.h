@@ -19,7 +19,7 @@ inline double TrueError(Lab& lab, const std::string& scene, const R2::Image& pic
   return ray::TrueError(picture, r[0], &r[1], MeasureOf(unit));
 }
 
-/// As many samples as said, in two streams.
+/// The settings of a render of that many samples in two streams.
 inline ray::RenderSettings InTwoStreams(ray::RenderSettings settings, int samples,
                                         ray::ErrorUnit unit = ray::ErrorUnit::linear) {
   settings.samples = samples;

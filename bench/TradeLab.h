@@ -54,7 +54,7 @@ inline double Mean(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
-/// Of the mean of independent values.
+/// The standard error of the mean of independent values.
 inline double StandardError(const std::vector<double>& values) {
   const double mean = Mean(values), n = static_cast<double>(values.size());
   double sum = 0;
@@ -110,7 +110,7 @@ class Lab {
     return wishes_.quick ? std::max(2, usual / 4) : usual;
   }
 
-  /// Those of `all` that were asked for; the first ones when in a hurry.
+  /// The scenes among `all` that were asked for; the first ones when in a hurry.
   std::vector<std::string> Scenes(std::vector<std::string> all) const {
     if (!wishes_.scenes.empty())
       std::erase_if(all, [&](const std::string& name) {

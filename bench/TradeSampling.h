@@ -45,7 +45,7 @@ struct Slope {
   double slope = 0, deviation = 0;
 };
 
-/// Of log error over log samples, by least squares; its deviation by leaving out one seed after another.
+/// The slope of log error over log samples, by least squares; its deviation by leaving out one seed after another.
 inline Slope SlopeOf(const std::vector<int>& counts, const std::vector<std::vector<double>>& squares) {
   const auto fit = [&](std::size_t without) {
     double sx = 0, sy = 0, sxx = 0, sxy = 0;

@@ -38,8 +38,8 @@ double MillisecondsSince(Clock::time_point then) {
   return std::chrono::duration<double, std::milli>(Clock::now() - then).count();
 }
 
-/// Of the processor, whatever else the machine does: CLOCK_THREAD_CPUTIME_ID, or CLOCK_PROCESS_CPUTIME_ID for that of
-/// the drawing's own threads as well, and of those that trace.
+/// CPU time, whatever else the machine does. CLOCK_THREAD_CPUTIME_ID gives that of this thread;
+/// CLOCK_PROCESS_CPUTIME_ID includes the drawing's own threads and those that trace.
 double CpuMilliseconds(clockid_t clock) {
   timespec now{};
   clock_gettime(clock, &now);
@@ -67,7 +67,7 @@ struct AnswerTimes {
   }
 };
 
-/// Of the moves of a long drag, each drawn as a window draws it: in fewer pixels where those of a drawing in full take
+/// Times of the moves of a long drag, each drawn as a window draws it: in fewer pixels where a drawing in full takes
 /// too long. `detail`: null for all drawings in full.
 AnswerTimes Answers(Viewer& viewer, Drawer& drawer, MotionDetail* detail) {
   AnswerTimes times;

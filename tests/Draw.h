@@ -55,7 +55,7 @@ class Draw {
 
 /// How many cases to try: `commit` on every change, `night` when RAYPRO_NIGHT is set.
 inline int Count(int commit, int night) { return std::getenv("RAYPRO_NIGHT") ? night : commit; }
-/// As many as a variable of the environment says, for runs by hand of a million; else as many as Count says.
+/// The number in an environment variable, for runs of a million by hand; without it, what Count says.
 inline int Asked(const char* variable, int commit, int night) {
   const char* const number = std::getenv(variable);
   return number ? std::atoi(number) : Count(commit, night);

@@ -67,7 +67,7 @@ struct SeenLine {
   Line line;
   Quad error_at_origin = 0, error_per_t = 0;
 
-  /// As far as to whatever lies within `reach` of the origin.
+  /// The largest error within `reach` of the origin.
   Quad ErrorWithin(Quad reach) const { return error_at_origin + reach / Length(line.d) * error_per_t; }
   /// Whether it passes a ball by more than any rounding; in doubles, so that most of a mesh costs little.
   bool Misses(const Vector& center, double radius) const {
@@ -237,7 +237,7 @@ class Scene {
     if (kind == "torus") {
       SeenLine centered = seen;
       centered.line.o = centered.line.o - Vector{a[0], a[1], a[2]};
-      // Of the center's own size, what is lost when it is taken from the origin.
+      // Subtracting the center loses a share of the center's own size.
       centered.error_at_origin += Crossings::of_shape * Length(Vector{a[0], a[1], a[2]});
       return Crossings::OfRing({a[3], a[4]}, centered);
     }

@@ -34,7 +34,7 @@ bool RoundsProductsBeforeAdding() {
   return a * a - b == 0;
 }
 
-// The same where the compiler may use an instruction that would do both at once, as in kernels for such machines.
+// RoundsProductsBeforeAdding where the compiler may use an instruction that does both, as in kernels for such machines.
 #if defined(__x86_64__)
 [[gnu::target("fma"), gnu::noinline]] bool RoundsProductsWhereItNeedNot() {
   const double a = Opaque(1 + 0x1p-30), b = Opaque(1 + 0x1p-29);

@@ -153,7 +153,7 @@ class Room {
     for (const R3::Point& q : p) Say({q.x, q.y, q.z});
     text += '\n';
   }
-  /// Of triangles about the middles of floor and ceiling.
+  /// Adds a mesh of triangles about the middles of floor and ceiling.
   void AddMesh() {
     text += "mesh 0 room.off\n";
     const std::size_t n = base_.size();

@@ -32,7 +32,7 @@ inline Mean MeanOf(const std::vector<double>& numbers) {
   return {sum / n, std::sqrt(squares / (n - 1) / n)};
 }
 
-/// Of the luminances of pixels that all show the same and are sampled independently.
+/// The mean luminance of pixels that all show the same and are sampled independently.
 inline Mean MeanOverPixels(const R2::Image& image) {
   std::vector<double> pixels;
   for (int y = 0; y < image.Height(); ++y)
@@ -91,7 +91,7 @@ inline Comparison Compare(const std::vector<R2::Image>& a, const std::vector<R2:
   return c;
 }
 
-/// Of the line through the logarithms of errors and of the counts they belong to.
+/// The slope of log error over log count.
 inline double Slope(const std::vector<double>& counts, const std::vector<double>& errors) {
   double x = 0, y = 0, xx = 0, xy = 0;
   const auto n = static_cast<double>(counts.size());

@@ -121,8 +121,8 @@ TEST(Bezier, AllCrossingsAreFoundInOrder) {
   EXPECT_EQ(CountHits(*wave, {{-1, 0.5, 1.234}, {1, 0, 0}}), 2);
   EXPECT_EQ(CountHits(*wave, {{-1, 0.86, 1.234}, {1, 0, 0}}), 2);
   EXPECT_EQ(CountHits(*wave, {{-1, 0.87, 1.234}, {1, 0, 0}}), 0);  // the crest is at sqrt(3) / 2 = 0.866
-  // Of lines through the middle, y = 0.4 (x - 1.5) meets it there alone: 9 u (1 - u) (1 - 2 u) = -0.6 (1 - 2 u) has no
-  // other root within the patch. Falling instead, at 9 u (1 - u) = 0.6 twice more.
+  // The line y = 0.4 (x - 1.5) through the middle meets it there alone: 9 u (1 - u) (1 - 2 u) = -0.6 (1 - 2 u) has no
+  // other root within the patch. A falling line meets it twice more, at 9 u (1 - u) = 0.6.
   EXPECT_EQ(CountHits(*wave, {{-1.5, -1.2, 0.777}, {3, 1.2, 0}}), 1);
   EXPECT_EQ(CountHits(*wave, {{-1.5, 1.2, 0.777}, {3, -1.2, 0}}), 3);
 }

@@ -64,12 +64,12 @@ TEST(ProjectedMesh, ImagesAreSeenTheRightWayRoundFromEveryFront) {
     const double turn = uv.gain_first.x * uv.gain_second.y - uv.gain_first.y * uv.gain_second.x;
     const Vector n = Abs(AsVector(NormalOf(*mesh, i)));
     const double area = Length(Cross(uv.first, uv.second));
-    // As large on the image as it looks along the axis that its normal is nearest to.
+    // It is as large on the image as it looks along the axis that its normal is nearest to.
     EXPECT_NEAR(turn, area * MaxComponent(n), 1e-9 * area);
   }
 }
 
-/// Of eight corners, each of which three sides share, with normals and colors of their own.
+/// A cube of eight corners, each shared by three sides, with normals and colors of their own.
 MeshData Cube() {
   MeshData data;
   for (int i = 0; i < 8; ++i) {

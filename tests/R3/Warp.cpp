@@ -87,7 +87,7 @@ TEST(Extremes, I3_TheHemisphereIsCoveredByTheCosine) {
               return R2::Point{1 - d.z * d.z, Turns(d.x, d.y)};
             }),
             1);
-  // The same rings by the stated pdf.
+  // The stated pdf gives these rings equal shares as well.
   for (int k = 0; k < 16; ++k)
     EXPECT_NEAR(Share(R3::CosineHemispherePdf, std::sqrt(k / 16.0), std::sqrt((k + 1) / 16.0)), 1.0 / 16, 1e-6);
   EXPECT_NEAR(Share(R3::CosineHemispherePdf, -1, 1), 1, 1e-4);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int side = 160, samples = 9;
 
-/// As the scene asks for it, but for its size and its samples.
+/// The settings that the scene asks for, but for image size and samples.
 ray::RenderSettings SettingsOf(const ray::Scene& scene, ray::SamplerKind sampler) {
   const ray::Options typed = ray::ReadCommandLine(
       ray::Program::raypro,
@@ -24,7 +24,7 @@ ray::RenderSettings SettingsOf(const ray::Scene& scene, ray::SamplerKind sampler
   return WithSettingsOf(scene, typed).render;
 }
 
-/// Of the pixels, those more than a level off in any channel.
+/// The share of pixels that are more than a level off in any channel.
 double ShareOff(const R2::Image& a, const R2::Image& b) {
   int off = 0;
   for (int y = 0; y < side; ++y)

@@ -68,7 +68,7 @@ TEST(Outlines, OfAnyShapesTurnedAndSqueezedAreTheSameForEveryAccelerator) {
       if (draw.Whole(0, 9) == 0) group.motion = 0.1 * draw.Direction();
       group.children.push_back(Leaf(kind->make(kind->example)));
       SetBounds(group);
-      // Of the shape alone, so that outlines are found that others would hide.
+      // The shape stands alone, so that outlines are found that others would hide.
       ray::Scene alone;
       alone.root.children.push_back(std::move(group));
       SetBounds(alone.root);

@@ -49,7 +49,7 @@ void ExpectMean(const Mean& m, double truth, double known_within, const std::str
   EXPECT_LT(m.deviation, 0.05 * truth) << what << ": too noisy to tell";
 }
 
-/// Of a sphere all of which is above the floor: E = pi L (r / d)^2 cos.
+/// The light of a sphere that is wholly above the floor: E = pi L (r / d)^2 cos.
 double FloorUnderSphere(const R3::Point& center, double radius) {
   const double d = Length(FromOrigin(center));
   return kd * emission * radius * radius / (d * d) * (center.y / d);

@@ -299,7 +299,7 @@ TEST(EveryShape, ThatIsSolidIsDrawnWithoutHoles) {
   });
 }
 
-/// Of what rays along z are inside of, on a grid that no shape's symmetry is that of.
+/// The volume that rays along z are inside of, on a grid that shares no shape's symmetry.
 double Volume(const R3::Shape& shape) {
   constexpr int lines = 100;
   const R3::Box box = Bounds(shape);
@@ -333,7 +333,7 @@ TEST(EveryShape, IsDrawnWithNoMoreTrianglesThanAskedFor) {
   for (const Subject& s : EveryShape())
     for (const int fineness : finenesses) {
       const auto most = [&](int least) { return static_cast<std::size_t>(std::max(least, fineness * fineness)); };
-      // Those that say how they are drawn need few.
+      // Shapes that say how they are drawn need few.
       const bool says_how = std::set<std::string>{"sphere", "box", "cylinder", "cone", "tri"}.contains(s.name);
       EXPECT_LE(s.shape->Tessellate(fineness).triangles.size(), most(says_how ? 12 : 1000)) << s.name;
       EXPECT_LE(s.shape->R3::Shape::Tessellate(fineness).triangles.size(), most(1000)) << s.name;

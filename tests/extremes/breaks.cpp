@@ -100,7 +100,7 @@ class PowerLoss {
     return true;
   }
 
-  /// Of all that the name may lead to now: whether each is the old file, a whole new one, or (where allowed) none.
+  /// Whether everything that the name may lead to now is the old file, a whole new one, or (where allowed) none.
   bool IsWhole(const std::string& name, bool may_be_missing) const {
     const auto found = possible_.find(name);
     if (found == possible_.end()) return may_be_missing;
@@ -220,7 +220,7 @@ TEST(Extremes, L7_WhicheverAllocationOfTheProgramFailsItEndsWithAStatusAndAWhole
   const long all = std::atol(ReadFile(count).c_str());
   ASSERT_GT(all, 500);
 
-  // Of each pair of rounds the first fails one allocation, the second all from there on.
+  // The first round of each pair fails one allocation, the second all from there on.
   const long rounds = std::min<long>(2 * all, Rounds("RAYTESTS_ALLOCATIONS", 60));
   int ended = 0;
   for (long round = 0; round < rounds; ++round) {

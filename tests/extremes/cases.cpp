@@ -29,7 +29,7 @@ bool IsNumber(const std::string& word) {
   return std::all_of(word.begin() + 1, word.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 
-/// Those that names of tests begin with: A1 and A3 of "A1_A3_ScaledAndMirrored".
+/// The case numbers that names of tests begin with: A1 and A3 of "A1_A3_ScaledAndMirrored".
 std::set<std::string> NumbersOfTests() {
   std::set<std::string> numbers;
   const auto& all = *testing::UnitTest::GetInstance();

@@ -148,7 +148,7 @@ TEST_F(Checkpoints, L9_OfAnotherPictureAreRefusedAndTheMessageSaysInWhat) {
   EXPECT_THROW(ray::DecodedState(bytes_, identity_, larger), ray::CheckpointError);
 }
 
-/// Of a render that is stopped at a tile of the pass after so many that gave each pixel samples.
+/// The state of a render that is stopped at a tile, after that many passes that sampled every pixel.
 ray::RenderState StateOfHello(const ray::RenderSettings& settings, int whole_passes, int tile) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = ray::FindAcceleratorKind("auto")->Make(stage.world, {});

@@ -73,7 +73,7 @@ TEST(Disc, BoundsTouchIt) {
   for (int i = 0; i < 1000; ++i) {
     const R3::Vector n = draw.Direction(), e{1, 0, 0};
     const auto disc = R3::MakeShape("disc", {1, 2, 3, n.x, n.y, n.z, 0.5});
-    // Of all directions in the disc the one furthest along x.
+    // The direction in the disc that is furthest along x.
     const R3::Vector reach = e - Dot(e, n) * n;
     EXPECT_NEAR(disc->Bounds(0).high.x, 1 + 0.5 * Length(reach), 1e-12);
   }

@@ -29,8 +29,8 @@ void* AllocateOrThrow(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
-// Those of the whole test program. The others of the library call these; AddressSanitizer's would not, so that what
-// std::stable_sort allocates without exceptions is allocated here.
+// Operators of the whole test program. The library's other operators call these; AddressSanitizer's would not, so that
+// what std::stable_sort allocates without exceptions is allocated here.
 void* operator new(std::size_t size) { return AllocateOrThrow(size, __STDCPP_DEFAULT_NEW_ALIGNMENT__); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return AllocateOrThrow(size, static_cast<std::size_t>(alignment));

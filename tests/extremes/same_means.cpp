@@ -69,7 +69,7 @@ void ExpectAllAlike(const project::Stage& stage, const Ways& settings) {
                     settings[0].first + " and " + settings[i].first);
 }
 
-/// Of paths: each strategy that needs no environment, with all lights and with a chosen one.
+/// Each strategy for paths that needs no environment, with all lights and with a chosen one.
 Ways EveryStrategyAndCountOfLights(bool glossy) {
   Ways ways;
   for (const char* strategy : {"bsdf", "mis", "light"})

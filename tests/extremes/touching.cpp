@@ -368,7 +368,7 @@ TEST(Extremes, M6_ACameraInsideOfSolidsSeesThroughWhatIsAroundIt) {
   }
 }
 
-// Of surfaces in one plane the first is seen, from everywhere and by every accelerator.
+// Where surfaces lie in one plane, the first is seen, from everywhere and by every accelerator.
 
 TEST(Extremes, M7_OfSurfacesInOnePlaneTheFirstIsSeen) {
   struct Poster {

@@ -10,7 +10,8 @@
 namespace ray {
 namespace {
 
-/// That of the scene's files, which are those on the disk where nothing was edited; raypro knows no others.
+/// The identity that raypro would give the render: that of the scene's files, which are those on the disk where nothing
+/// was edited.
 std::string IdentityForRaypro(const RenderJob& job, Options options) {
   options.program = Program::raypro;
   return IdentityOf(options, SceneHash(job.scene().parsed.scene.files));

@@ -65,7 +65,7 @@ inline double LobeCosine(const ShadingPoint& p, const R3::Vector& L) { return Lo
 inline R2::Color PhongSum(double cosine, const R2::Color& kd, const R2::Color& lobe, const R2::Color& irradiance) {
   return Chosen(cosine > 0, (cosine * kd + lobe) * irradiance, {});
 }
-/// That of a point.
+/// What a point reflects by Phong's formula.
 ///   L   unit, towards the light; V is p.wo, R the mirror image of L about N
 inline R2::Color PhongReflection(const ShadingPoint& p, const R3::Vector& L, const R2::Color& irradiance) {
   const double cosine = Dot(p.N, L);

@@ -50,7 +50,7 @@ TEST(Claims, SayWhereCausticsMayBeThatNoPathHasFound) {
   EXPECT_FALSE(Has(place.Run("a.pfm", {"-samples", "4", "-error", "1"}).error, warning)) << "light samples find all";
 }
 
-// Of so few pixels the worst thousandth is a quarter.
+// In so few pixels the worst thousandth is a quarter of them.
 TEST(Outliers, AreNotWarnedOfInAPictureOfAFewPixels) {
   NEEDS_THE_PROGRAM();
   const Place place;

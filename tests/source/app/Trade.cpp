@@ -426,7 +426,7 @@ TEST(Reference, MustBeAPictureOfTheSameSize) {
   EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "missing.pfm"}).status, 3);
   EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "in.scn"}).status, 3);
   EXPECT_EQ(place.Others({"in.scn", "a.pfm"}), List{});
-  // The same crop is compared; the same samples are no error at all.
+  // What is compared is this crop, and a render of the same samples has no error at all.
   const Finished right = RunProgram({place / "in.scn", place / "b.pfm", "-width", "40", "-height", "30", "-samples",
                                      "4", "-crop", "1", "2", "9", "12", "-reference", place / "a.pfm"});
   EXPECT_EQ(right.status, 0) << right.error;

@@ -28,7 +28,7 @@ std::string Scene(const std::string& name) {
 
 R2::Image Picture(const std::string& file) { return testing::Decode(file).image; }
 
-// Of programs built to look for leaks: GLX and OSMesa keep memory of their own to the end. EGL does not.
+// For programs built to look for leaks: GLX and OSMesa keep memory of their own to the end. EGL does not.
 constexpr const char* drivers_leak = "detect_leaks=0";
 
 class Rayview : public ::testing::Test {

@@ -69,7 +69,7 @@ struct Partly {
   }
 };
 
-/// Of which the first `places` of each block are known, the picture's corner being at x0, y0.
+/// A ramp of which the first `places` of each block are known, the image's corner being at x0, y0.
 Partly KnowingPlaces(int places, int x0, int y0) {
   Partly partly;
   const R2::Image ramp = Ramp();

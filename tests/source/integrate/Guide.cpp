@@ -14,7 +14,7 @@ RenderSettings Small(RenderMode mode) {
   return settings;
 }
 
-/// Of the rays through the middles of a small picture's pixels, in rows.
+/// The guides of rays through the middles of a small image's pixels, in rows.
 std::vector<Guide> GuidesOf(const project::Stage& stage) {
   const RenderSettings settings = Small(RenderMode::whitted);
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});

@@ -12,7 +12,7 @@
 namespace ray {
 namespace {
 
-/// Of this processor, whatever else the machine does.
+/// CPU time of a call, whatever else the machine does.
 double SecondsOf(const std::function<void()>& f) {
   const std::clock_t start = std::clock();
   f();

@@ -205,7 +205,7 @@ TEST(DenoiseResult, GuidesAreRefinedBySixRaysForEachCameraRayAtMost) {
         settings.trace.max_depth = 12;
         settings.trace.shadow_samples = 1;
         const RenderResult result = project::Render(stage, settings);
-        // As rays that take no samples of edges again, which a replay that refines nothing tells.
+        // Without refinement a replay's guide rays are those that take no samples of edges again.
         settings.replay = Replay{true, result.planned_samples, {result.passes.back().end}, result.block_samples, {}};
         settings.replay->refinement = Refinement{0};
         const std::uint64_t following = project::Render(stage, settings).guide_rays;

@@ -82,7 +82,7 @@ class Machines {
   }
 
  private:
-  /// Of every part, in an order of its own.
+  /// Renders a round of every part, in random order.
   void RenderRound(const RenderState& plan) {
     std::vector<int> order;
     for (int i = 1; i <= of_; ++i) order.push_back(i);

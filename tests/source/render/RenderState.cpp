@@ -34,7 +34,7 @@ std::vector<unsigned char> BytesOf(const RenderSettings& settings, int filling) 
   return Encoded(state, "x");
 }
 
-// The same state once gave different checkpoints, since bytes between the fields of an error were written as they were.
+// Equal states once gave different checkpoints, since bytes between the fields of an error were written as they were.
 TEST(RenderState, CheckpointsHoldNothingButTheState) {
   const RenderSettings settings;
   EXPECT_TRUE(BytesOf(settings, 0x00) == BytesOf(settings, 0xff));

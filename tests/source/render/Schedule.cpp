@@ -48,7 +48,7 @@ PassOutcome Found(const std::vector<double>& squares, double outlier_share = 0) 
 }
 PassOutcome Found(double square) { return Found(std::vector<double>(blocks, square)); }
 
-/// The same squared error everywhere but in the first block, in the corner.
+/// A pass with one squared error everywhere but in the first block, in the corner.
 PassOutcome FoundInCorner(double corner, double elsewhere, double outlier_share = 0) {
   std::vector<double> squares(blocks, elsewhere);
   squares[0] = corner;

@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-/// Of the first n places, the least distance, across the edges of the square too.
+/// The least distance between the first n places, across the edges of the square too.
 double LeastDistance(std::uint32_t n, const RandomKey& key) {
   double least = 2;
   for (std::uint32_t i = 0; i < n; ++i)

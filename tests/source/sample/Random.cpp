@@ -43,7 +43,7 @@ TEST(Shuffled, SendsIndicesEverywhereForCountsBeyondHalfOfAllNumbers) {
     for (std::uint32_t i = 0; i < asked / 2; ++i) seen.insert({shuffle(i), shuffle(count - 1 - i)});
     EXPECT_EQ(seen.size(), asked) << count;
     EXPECT_LT(*seen.rbegin(), count);
-    // Of so many places at random, the mean has a standard error of sqrt(1 / 12 / 20,000) = .002.
+    // The mean of so many random places has a standard error of sqrt(1 / 12 / 20,000) = .002.
     double sum = 0;
     for (const std::uint32_t place : seen) sum += static_cast<double>(place) / count;
     EXPECT_NEAR(sum / asked, 0.5, 4 * 0.002) << count;

@@ -336,7 +336,7 @@ TEST(Environment, AnEvenMapIsIntegratedWithoutAnyError) {
 }
 
 TEST(Environment, AverageOverDrawsIsTheIntegralOfEachChannel) {
-  // Of light from above on a level plane: the closed form is a sum over texels of the mean of y, half the difference of
+  // Light from above on a level plane has a closed form: a sum over texels of the mean of y, half the difference of
   // squares of sines.
   const R2::Image image = RandomImage(32, 16);
   const Environment environment(image);

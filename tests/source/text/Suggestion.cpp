@@ -9,7 +9,7 @@
 namespace ray {
 namespace {
 
-/// Of the whole table, from the definition: no row is left out.
+/// The distance by the whole table, from the definition: no row is left out.
 std::size_t DistanceByTable(const std::string& a, const std::string& b) {
   std::vector table(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i)

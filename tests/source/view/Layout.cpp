@@ -58,7 +58,7 @@ class Layout : public ScriptedViewer<WithOptions, 512, 512> {
   }
 };
 
-/// Of labels on a screen of that density.
+/// The size of letters on a screen of that density.
 LetterSize LettersAt(double scale) {
   const auto panels = MakePanels();
   panels->SetScale(scale);

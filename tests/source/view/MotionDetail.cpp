@@ -17,7 +17,7 @@ ray::FrameState ViewOf(int number, const ray::DrawingSize& size = large) {
   return shown;
 }
 
-/// As long as there are pixels.
+/// A drawing time that is proportional to the pixels drawn.
 auto ByPixels(double full) {
   return [full](const DrawingDetail& detail) { return full / (detail.pixel_step * detail.pixel_step); };
 }

@@ -19,7 +19,7 @@ wide::Tree TreeOver(Node root) {
   return wide::Build(PrimitiveSet(world), width);
 }
 
-// Of boxes alike always the first was halved, so that one child of a node kept half of it.
+// The first of equal boxes was always the one that was split, so that one child of a node kept half of its primitives.
 TEST(WideTree, OverEqualTrianglesIsAsShallowAsOverAnyOthers) {
   R3::MeshData data;
   data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// Those that take a scene and share most options.
+/// The programs that take a scene and share most options.
 inline constexpr std::array scene_programs{Program::raypro, Program::rayview};
 inline Program TheOther(Program program) { return program == Program::raypro ? Program::rayview : Program::raypro; }
 

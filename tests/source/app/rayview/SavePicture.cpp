@@ -28,7 +28,7 @@ const std::string small_scene =
     "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nmaterial .2 .1 0  .8 .5 .3  .5 .5 .5  0 0 0  0 0 0  20 1  0\n"
     "sphere 0  0 0 0  1\nbox 0  -1 -2 -1  1 -1.5 1\n";
 
-/// As long as this lives, the current folder is another.
+/// Changes the current folder for as long as it lives.
 class Inside {
  public:
   explicit Inside(const std::filesystem::path& folder) { std::filesystem::current_path(folder); }

@@ -65,7 +65,7 @@ FitSubject NoisyFit(int width, int height, double strength = 1) {
   return subject;
 }
 
-// The same fit in plain double precision, pixel by pixel, by the equations; nothing is shared with what is tested.
+// The fit in plain double precision, pixel by pixel, by the equations; nothing is shared with what is tested.
 namespace plain {
 
 double WeightOf(const FitSubject& s, int px, int py, int dx, int dy) {

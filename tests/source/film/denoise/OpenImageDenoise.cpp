@@ -206,7 +206,7 @@ TEST_F(OpenImageDenoiseOf, NoFilterIsLeftOfAMachineWithoutItWhereNothingElseWasA
   EXPECT_NE(FaultOf([] { DenoiseFilters(Denoiser::both); }).find("not installed"), std::string::npos);
 }
 
-// Of a trained filter nothing is known but by trying: version 2.5.1 leaves 1 / 7 of this noise.
+// What a trained filter does is known only by trying: version 2.5.1 leaves 1 / 7 of this noise.
 TEST_F(InstalledOpenImageDenoise, NoiseOfAFlatSurfaceFallsByHalfAndMore) {
   const OpenImageDenoise library(0);
   EXPECT_LT(Deviation(library.Filtered(NoisyGray(1), BlankGuides().best[0])), 0.5 * Deviation(NoisyGray(1)));

@@ -77,7 +77,7 @@ TEST(PictureError, IsToldInEveryUnit) {
 /// By the chi-square distribution of one degree, which is F with very many in the denominator.
 double NormalQuantile(double p) { return std::sqrt(FQuantile(2 * p - 1, 1, 1e6)); }
 
-/// Of a picture whose truth is 0.5.
+/// The mean squared error of an image whose truth is 0.5.
 double TrueSquare(const Film& film) {
   const R2::Image picture = film.Picture();
   double squares = 0;

@@ -115,7 +115,7 @@ double MeanOf(const Cells& cells, int cell, int steps, const Function& f) {
   return sum / (steps * steps);
 }
 
-/// The same of each cell.
+/// MeanOf each cell.
 template <typename Function>
 std::vector<double> MeanOfEach(const Cells& cells, int steps, const Function& f) {
   std::vector<double> means;
@@ -147,7 +147,7 @@ TEST(EmissiveShape, SamplesOverTheirPdfAddUpToTheSolidAngleThatRaysFind) {
     });
     int compared = 0;
     for (std::size_t i = 0; i < sums.size(); ++i) {
-      // Of a surface right beside the point little area is much to see: too few samples tell of it.
+      // Where a surface is right beside the point, little area fills much of the view: too few samples fall there.
       if (inverse_pdf[i] > cells.SolidAngle() * samples / 20) continue;
       compared += covered[i] > 0;
       const double deviation = std::sqrt((squares[i] - sums[i] * sums[i]) / samples);

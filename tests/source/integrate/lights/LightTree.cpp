@@ -38,7 +38,7 @@ R3::Vector RandomUnit(Numbers& numbers) {
   return R3::SampleUniformSphere({x, y});
 }
 
-// Of all sorts: some at one place, some with a size, some without power, some infinite, every fall-off.
+// Lights of all sorts: some at one place, some with a size, some without power, some infinite, every fall-off.
 std::vector<LightBound> RandomLights(int count, std::uint64_t seed) {
   Numbers numbers(seed);
   std::vector<LightBound> lights;
@@ -143,7 +143,7 @@ struct Variances {
   double by_tree = 0, uniform = 0;
 };
 
-// Of value / probability of one light, exactly, added up over points at random below the ceiling.
+// The variance of value / probability of one light, exactly, added up over random points below the ceiling.
 Variances BelowTheCeiling(int side, double height) {
   const auto lights = Ceiling(side);
   const LightTree tree(lights);
@@ -264,7 +264,7 @@ TEST(LightTree, WithoutFallOffPowerAloneCounts) {
   EXPECT_NEAR(tree.Probability({}, {0, 1, 0}, 1), 0.75, 1e-15);
 }
 
-/// The same lights where lengths are given in a unit that many times smaller: what falls off with the square of the
+/// The lights where lengths are given in a unit that many times smaller: what falls off with the square of the
 /// distance as an area does sends its power through an area so much larger.
 std::vector<LightBound> InOtherUnit(std::vector<LightBound> lights, double scale) {
   for (LightBound& light : lights) {
@@ -314,7 +314,7 @@ TEST(LightTree, LightsWithoutFallOffCountByWhatTheySendHoweverFarAmongLightsThat
 }
 
 TEST(LightTree, OneOfAFewPointsOfLightHasASecondMomentBoundByTheLeastCosineInAnyUnit) {
-  // Of importances I and contributions c, I cos <= c <= I, where cos is the least cosine of an infinite light and all
+  // Importances I and contributions c have I cos <= c <= I, where cos is the least cosine of an infinite light and all
   // others count with theirs. So the second moment of c / probability, sum I * sum c^2 / I, is at most
   // (sum c)^2 / cos.
   constexpr double least_cosine = 0.5;

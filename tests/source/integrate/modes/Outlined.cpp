@@ -110,7 +110,7 @@ TEST(Toon, HasAsManyTonesAsAskedAndDarkness) {
   }
 }
 
-// Of exponent 10, V.R is at least .933 where its power is above a half: 21 degrees, of the normal 10.5.
+// With exponent 10, V.R is at least .933 where its power is above a half: within 21 degrees, or 10.5 of the normal.
 TEST(Toon, HighlightsAreSpotsWithAnEdge) {
   RenderSettings settings;
   settings.width = settings.height = outline_side;

@@ -262,7 +262,7 @@ TEST(NormalMap, TiltsTheNormalAlongUAndV) {
   EXPECT_NEAR(std::abs(along_v.z), 0.6, 1e-6);
 }
 
-// Of every shape: a little further along what red tilts towards, u is greater and v the same; for green the other way.
+// On every shape, a little further along what red tilts towards, u is greater and v equal; for green the other way.
 TEST(NormalMap, OfEveryShapeLeansToWhereUAndVGrow) {
   for (const char* shape :
        {"sphere 0  0 0 0  1", "box 0  -1 -1 -1  1 1 1", "cylinder 0  0 0 0  1 2", "cone 0  0 0 0  1.5 2",

@@ -29,7 +29,7 @@ std::string WrittenTo(const Folder& folder, const std::string& name, const Scene
   return text.text;
 }
 
-/// As raypro would render it, with what the scene sets, but small.
+/// The image that raypro would render, with what the scene sets, but small.
 R2::Image PictureOf(Scene scene) {
   Options options =
       ReadCommandLine(Program::raypro, std::vector<std::string>{"in.scn", "out.pfm", "-width", "24", "-height", "18"});
@@ -178,7 +178,7 @@ TEST(ScnText, AMeshOfNoFileIsTriangles) {
   EXPECT_TRUE(text.text.ends_with("tri 0 0 0 0 1 0 0 1 1 0.1\ntri 0 0 0 0 1 1 0.1 0 1 0.3\n")) << text.text;
 }
 
-// As triangles they had other texture coordinates, which -mode uv shows.
+// Made of triangles they would have other texture coordinates, which -mode uv shows.
 TEST(ScnText, QuadsAndPolygonsStayWhatTheyAre) {
   const std::string lines =
       "quad 0 0 0 0 1 0 0 1 1 0 0 1 0\npolygon 0 4 0 0 0 2 -1 0 0.5 0 0 2 1 0\npolygon 0 3 0 0 0 1 0 0 0 1 0\n";

@@ -344,7 +344,7 @@ TEST_P(Painter, BlendsAPictureAndShowsWhatComesLaterBehindIt) {
 
 TEST_P(Painter, DrawsPanelsPixelByPixelWithinTheirParts) {
   ray::PanelDrawing panels;
-  // Of ink all, none; and half.
+  // Full ink, none, and half.
   panels.sheet = std::make_shared<const ray::InkSheet>(ray::InkSheet{3, 1, {255, 0, 128}});
   const auto add = [&](float left, float top, float texel, const Rgba& color) {
     const auto first = static_cast<std::uint32_t>(panels.corners.size());

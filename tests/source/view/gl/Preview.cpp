@@ -100,7 +100,7 @@ TEST_P(Preview, ShowsTheColorsOfVertices) {
 }
 
 TEST_P(Preview, IsLitByAWideDiscAsTheTracerIs) {
-  // As near as it is wide, and partly below the horizon of much of the ball.
+  // The disc is as near as it is wide, and partly below the horizon of much of the ball.
   const std::string disc = "area_light 0.8 0.7 0.6  1.5 0.5 2  -1.5 -0.5 -2  1.5  0.2 0.1 0.2\n";
   const project::Stage dull(
       project::FromText(camera + disc + Material("0.5 0.6 0.7  0 0 0  0 0 0  0 0 0  1 1 0") + ball));
@@ -123,7 +123,7 @@ TEST_P(Preview, HasTheReliefOfTheTracer) {
   EXPECT_LT(Differing(project::Stage(project::Root() / "scenes/bump.scn"), 25, settings), 0.06);
 }
 
-// Of one color, so that it does not matter how much of the map a pixel shows.
+// The map has one color, so that it does not matter how much of it a pixel shows.
 TEST_P(Preview, TiltsNormalsAsTheTracerDoesOnEveryShapeMirroredOrNot) {
   R2::Image map(1, 1);
   map.Set(0, 0, {0.75, 0.35, 0.9});

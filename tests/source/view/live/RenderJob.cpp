@@ -85,7 +85,7 @@ std::vector<Case> Cases() {
   for (const std::string mode : {"heat", "rays", "depth"})
     for (const int samples : {1, 3})
       for (const std::string filter : {"box", "gaussian"}) cases.push_back({"hello", mode, samples, filter});
-  // Of all accelerators this one remembers most, so that what a pixel costs depends on those before it.
+  // This accelerator remembers most, so that what a pixel costs depends on those before it.
   cases.push_back({"hello", "heat", 2, "box", 37, 23, 8, "graph"});
   cases.push_back({"hello", "heat", 1, "lanczos", 37, 23, 8, "graph"});
   // Nothing moves in pictures of one sample, but lenses and motion take other kernels.

@@ -8,7 +8,7 @@
 
 namespace graph {
 
-/// Of each level of a scene graph, the root's 0: how many nodes have a box. Does not recurse, as graphs may be deep.
+/// How many nodes have a box on each level of a scene graph, the root's being 0. Does not recurse: graphs may be deep.
 inline std::vector<std::int64_t> NodesWithBoxes(const ray::Node& root) {
   std::vector<std::int64_t> counts;
   for (std::vector<const ray::Node*> level{&root}, next; !level.empty(); level = std::exchange(next, {})) {

@@ -31,7 +31,7 @@ struct Seen {
     SetBounds(scene.root);
     return scene;
   }
-  /// Of the filling, in the slice's units.
+  /// The area of the filling, in the slice's units.
   double Area() const {
     const ray::Lines lines = CutFilling(cut, stage.world, view);
     double area = 0;

@@ -60,7 +60,7 @@ std::vector<Triangle> TrianglesOf(const PanelDrawing& drawing) {
   return triangles;
 }
 
-/// Of all letters that are seen, over whatever the picture has there.
+/// The least contrast of letters that are seen, over whatever the image has there.
 double LeastContrast(const PanelDrawing& drawing) {
   std::vector<Triangle> filled;
   double least = most_contrast;
@@ -83,7 +83,7 @@ double LeastContrast(const PanelDrawing& drawing) {
   return least;
 }
 
-/// Of all lines of the cross section, had they their full strength.
+/// The least contrast of lines of the cross section, had they their full strength.
 double LeastContrastOfSection(const FrameState& shown) {
   const R2::Color& c = shown.section_ground;
   double least = most_contrast;
