@@ -39,9 +39,9 @@ struct ShapeKind {
   }
 };
 
-/// Every kind that numbers alone describe, in the order of shapes.def.
+/// All kinds that numbers alone describe, in the order of shapes.def.
 std::span<const ShapeKind* const> ShapeKinds();
-/// Null when no kind has the name.
+/// The kind of that name; null if there is none.
 const ShapeKind* FindShapeKind(const std::string& name);
 /// For tests and programs: asserts that the name exists and the count fits.
 std::unique_ptr<const Shape> MakeShape(const std::string& name, std::vector<double> arguments);

@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// How the program ends, for scripts.
+/// Exit statuses, for scripts.
 namespace status {
 inline constexpr int done = 0;
 inline constexpr int failed = 1;  // while rendering

@@ -15,19 +15,19 @@
 
 namespace ray {
 
-/// Path tracing with next-event estimation: light arrives over every number of bounces up to max_depth, each bounce
-/// going one way, chosen by the Bsdf. Units are the course's: kd and kr are the shares that are scattered, so an
-/// emission or an environment L is a radiance and is scattered as
+/// Path tracing with next-event estimation: light arrives over up to max_depth bounces, each in one direction sampled
+/// from the Bsdf. Units are the course's: kd and kr are the shares of light that are scattered, so an emission or an
+/// environment L is a radiance, and is scattered as
 ///
 ///     kd / pi * cosine + kr (n + 1) / (2 pi) (V.R)^n      (the second term only where IsGlossy)
 ///
-/// while lights of the scene language scatter by Phong's formula as they do in Whitted. Every shape that emits is a
-/// light, on both sides of its surface. With Emission::color what emits is a light as in Whitted, too; then paths add
-/// to the light of Whitted what surfaces reflect of each other.
+/// while light from the scene language's lights is reflected by Phong's formula, as in Whitted. Every shape that emits
+/// is a light, on both sides of its surface. With Emission::color such shapes are lights as in Whitted; paths then add
+/// indirect light to Whitted's image.
 ///
-/// Many paths are traced together: all of them take a step before any takes the next, so that each stage of a step is a
-/// loop over arrays: random points, places on lights, what surfaces reflect, directions. No number of a path depends on
-/// which others are traced with it.
+/// Many paths are traced together: each takes a step before any takes the next, so that every stage of a step is a loop
+/// over arrays: random points, light samples, reflected light, directions. No path depends on which others are traced
+/// with it.
 ///   source   Kajiya, The rendering equation (1986), eq. 6; Cook, Porter, Carpenter, Distributed ray tracing (1984);
 ///            light and BSDF sampling combined by multiple importance sampling, see MisWeight; Russian roulette after
 ///            Arvo and Kirk (1990); stages after Laine, Karras, Aila, Megakernels considered harmful: wavefront path
@@ -55,7 +55,7 @@ class Path : public Integrator {
     R2::Color throughput;
     int record;  // as of a PathState
   };
-  /// By what light that rays can hit is found.
+  /// Which ways of sampling find light that rays can hit.
   struct Sampled {
     bool lights, bsdf;
 
@@ -65,76 +65,79 @@ class Path : public Integrator {
       return lights ? MisWeight(bsdf_pdf, light_pdf) : 1;
     }
   };
-  // What the keys beneath a surface are for. Lights follow, one each.
+  // Random keys beneath a surface's own. Lights follow, with one key each.
   enum Key : std::uint64_t { bounce_key, scatter_key, next_event_key };
   static std::uint64_t KeyOf(int light) { return next_event_key + static_cast<std::uint64_t>(light); }
 
   /// Li of at most R1::batch_size samples.
   void TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const;
-  /// The surfaces that camera rays hit; radiances become what these give of themselves, or what is behind all.
+  /// Finds the surfaces that camera rays hit. Sets radiances to what these emit and their ambient light, or to the
+  /// background.
   void SeeFirstSurfaces(std::span<const CameraSample> samples, std::span<R2::Color> radiances, PathFront& front,
                         TraceState& state) const;
 
-  // Light that reaches the points of a front straight from lights, throughput included, goes to state.arrived.
+  // Direct light at the points of a front, times the throughput, goes to state.arrived.
   void SampleLights(PathFront& front, TraceState& state) const;
   void SampleLight(int light, const PathFront& front, TraceState& state) const;
-  /// A lamp whose emission is a color, point by point.
+  /// Samples a lamp whose emission is a color, point by point.
   void SampleLamp(int lamp, const PathFront& front, const PointsOfEach<2>& random, TraceState& state) const;
-  /// Makes of light samples with pdfs what is reflected of them.
+  /// Turns light samples with pdfs into reflected light.
   void Reflect(const PathFront& front, const LightSamples::Each& pdfs, LightSamples& samples) const;
-  /// Makes of samples of a light of the scene language what is reflected of them.
+  /// Turns samples of one of the scene language's lights into reflected light.
   void ReflectByPhong(const PathFront& front, LightSamples& samples) const;
-  /// For each point some lights, chosen by importance sampling.
+  /// Samples a few lights for each point, chosen by importance sampling.
   void SampleChosenLights(const PathFront& front, TraceState& state) const;
   void SampleChosenLights(const ShadingPoint& p, const Bsdf& bsdf, std::size_t index, TraceState& state) const;
   bool SamplesAllLights() const { return lights_at_once_ == 0; }
-  /// What p reflects of a sample on a light, if nothing is in between.
+  /// Light that p reflects of a light sample, if nothing is in between.
   R2::Color Reflected(const ShadingPoint& p, const Bsdf& bsdf, const LightSample& light) const;
-  /// Adds the sample as a shadow ray; `index` is where it arrives.
+  /// Adds a shadow ray for the sample; `index` is the number of its point.
   void AddLightSample(const ShadingPoint& p, const R2::Color& reflected, const LightSample& light, std::size_t index,
                       TraceState& state) const;
 
-  // The way on.
-  /// Goes on to the next surfaces, which come to `next`; light that is found on the way is gathered by path.
+  // How paths continue.
+  /// Traces paths on to the surfaces that they hit next, which are added to `next`. Light that they find on the way is
+  /// gathered by path.
   void TakeStep(const PathFront& front, std::span<R2::Color> gathered, PathFront& next, TraceState& state) const;
   PathFront::Scattered SampleBsdfs(const PathFront& front) const;
-  /// Chooses how a path continues from point number `i`, whose Bsdf this is, if it does not end there.
-  ///   choices   uniform in [0, 1): two for a direction, one for a lobe, one for Russian roulette; the direction that
-  ///             the diffuse lobe makes of the first two stands in `scattered`
+  /// Samples how a path continues from point number `i`, whose Bsdf this is, if it does not end there.
+  ///   choices   uniform in [0, 1): two for a direction, one for a lobe, one for Russian roulette; `scattered` holds
+  ///             the direction that the diffuse lobe makes of the first two
   void SampleBsdf(const ShadingPoint& p, std::uint32_t i, const Bsdf& bsdf, const std::array<double, 4>& choices,
                   PathFront::Scattered& scattered) const;
-  /// Follows the rays of one lobe, of state.batch from number `first` on: what they hit comes to `next`, and those that
-  /// hit nothing to `escaping`. Returns how many there are.
+  /// Follows the rays of one lobe, which go to state.batch from number `first` on. Surfaces that they hit are added to
+  /// `next`, rays that hit nothing to `escaping`. Returns the number of rays.
   std::uint32_t Follow(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe, std::uint32_t first,
                        PathFront& next, std::vector<Escaping>& escaping, TraceState& state) const;
-  /// Traces rays from these points, which go to state.batch from number `first` on; what each hits, to state.hits.
-  ///   returns   the numbers of the points whose rays these are: the others' would find nothing
+  /// Traces a ray from each point that scatters by the lobe, unless it could find no light. Rays go to state.batch from
+  /// number `first` on, their hits to state.hits.
+  ///   returns   the numbers of the points that they come from
   std::vector<std::uint32_t> TraceFrom(const PathFront& front, const PathFront::Scattered& scattered, Lobe lobe,
                                        std::uint32_t first, TraceState& state) const;
-  /// Adds what rays that hit nothing see.
+  /// Adds the background that rays see where they hit nothing.
   void AddBackgrounds(const PathFront& front, const PathFront::Scattered& scattered, std::span<const Escaping> escaping,
                       std::span<R2::Color> gathered, TraceState& state) const;
   R2::Color EnvironmentSeen(const Environment::Seen& seen, const Step& step, const R2::Color& throughput,
                             TraceState& state) const;
-  /// Adds what the rays that led to the points of `next` see of the surfaces there.
+  /// Adds the emission and the ambient light of the surfaces that rays have hit.
   void AddEmitted(const PathFront& front, const PathFront::Scattered& scattered, const PathFront& next,
                   std::span<R2::Color> gathered, TraceState& state) const;
   /// Emission of what a scattered ray hit, throughput included, weighted against SampleLights.
   R2::Color Emitted(const Step& step, const ShadingPoint& hit) const;
 
-  // Where paths end.
+  // How paths end.
   bool IsLast(const ShadingPoint& p) const { return p.path.depth >= settings_.max_depth; }
-  /// Whether light may be found by going on from points of this depth.
+  /// Whether a path that continues from a point of this depth may find light.
   bool MayContinue(const ShadingPoint& p) const { return !IsLast(p) || lights_.CanBeHit(); }
-  /// Whether a ray may find light; the last one of a path ends where none is seen.
+  /// Whether a ray may find light; a path's last ray is not traced where it cannot.
   bool MayFindLight(const ShadingPoint& from, const R3::Ray& ray) const {
     return !IsLast(from) || lights_.MayBeHitBy(ray);
   }
-  /// With what probability a path survives Russian roulette at least from points of a depth: 1 where none is played.
+  /// The least probability with which a path at a depth survives Russian roulette; 1 without roulette.
   double LeastSurvival(std::int64_t depth) const;
-  /// Counts what is cut off at a point of the last depth.
+  /// Counts the throughput that is lost where max_depth ends a path.
   void CountCutThroughput(const ShadingPoint& p, TraceState& state) const;
-  /// Counts the path where what its step found makes it a caustic.
+  /// Counts the path as a caustic if the emission that its step found makes it one.
   void CountCaustic(const Step& step, const R2::Color& emission, TraceState& state) const {
     if (IsSpecular(step.lobe) && step.from.path.is_scattered) state.rays.caustics += caustics_.Counts(emission);
   }

@@ -10,8 +10,8 @@
 
 namespace ray {
 
-/// The surfaces that paths have reached at one time, all after as many bounces. What loops over all of them need stands
-/// in columns, a number an array over the paths, so that loops become vector instructions.
+/// The surfaces that paths have reached, all after the same number of bounces. What is needed in loops over all of them
+/// is kept in columns, one array per number, so that the loops become vector instructions.
 struct PathFront {
   using Each = LightSamples::Each;
 
@@ -19,23 +19,22 @@ struct PathFront {
   using ArrayOfEach = std::array<Thing, LightSamples::most>;
 
   std::vector<ShadingPoint> points;
-  // For each point, the numbers of its camera sample, of the point that its path came from and of the ray that led
-  // there.
+  // For each point: the numbers of its camera sample, of the point before it on the path and of the ray between them.
   ArrayOfEach<std::uint32_t> paths, from, rays;
-  // Made of all points, once they are known.
+  // Filled in by MakeColumns.
   ArrayOfEach<SampleIndex> indices;
   R1::Columns<R3::Vector> normals;
   R1::Columns<R2::Color> kd, throughputs;
   alignas(64) Each clearances;        // of their departures
-  alignas(64) Each are_diffuse;       // 1 where the surface is diffuse alone, else 0
-  std::vector<std::uint32_t> others;  // those that are not
+  alignas(64) Each are_diffuse;       // 1 where the surface has a diffuse lobe alone, else 0
+  std::vector<std::uint32_t> others;  // the points that have other lobes
   std::vector<Bsdf> bsdfs;            // of others
-  // For lights of the scene language.
+  // Filled in by MakeColumnsOfHighlights.
   bool has_highlights;
   R1::Columns<R3::Vector> wo;
   R1::Columns<R2::Color> ks;
   ArrayOfEach<std::uint64_t> exponents;        // 0 where they are not whole
-  std::uint64_t exponent_bits;                 // those that any of them has
+  std::uint64_t exponent_bits;                 // all exponents or-ed
   std::vector<std::uint32_t> others_by_phong;  // with a coat, a map, or no whole exponent
 
   /// Adds a point of which path and hit are known.
@@ -50,22 +49,23 @@ struct PathFront {
   std::span<const Thing> Of(const ArrayOfEach<Thing>& all) const {
     return std::span(all).first(points.size());
   }
-  /// Makes the columns, when all points are complete; those for lights of the scene language on demand.
+  /// Makes the columns, when all points are complete. What only lights of the scene language need is made on demand.
   void MakeColumns(const MaterialTraitsOf& traits, const TraceSettings& settings);
   void MakeColumnsOfHighlights(const MaterialTraitsOf& traits);
 
-  /// Makes of light samples with pdfs what surfaces that are diffuse alone reflect of them, one sample a point.
+  /// Turns light samples with pdfs, one for each point, into the light that surfaces with a diffuse lobe alone reflect.
   ///   most_weight   of BSDF sampling: 0 where there is none
   void ReflectDiffusely(double most_weight, const Each& pdfs, LightSamples& samples) const;
-  /// Makes PhongReflection of samples of a light of the scene language, one a point; that of others_by_phong is wrong.
+  /// Applies PhongReflection to samples of one of the scene language's lights, one for each point; that of
+  /// others_by_phong comes out wrong.
   void ReflectByPhong(LightSamples& samples) const {
     ray::ReflectByPhong({normals, wo, kd, ks, exponents.data(), exponent_bits, has_highlights}, samples);
   }
 
-  /// How paths continue from the points: at most in one direction each.
+  /// How paths continue from the points: in at most one direction each.
   struct Scattered {
     R1::Columns<R3::Vector> directions;  // unit; diffuse ones where nothing else was chosen
-    R1::Columns<R2::Color> throughputs;  // what survives Russian roulette, 0 where nothing does
+    R1::Columns<R2::Color> throughputs;  // after Russian roulette; 0 where the path ends
     alignas(64) Each pdfs;               // of the directions, as of a BsdfSample
     ArrayOfEach<Lobe> lobe;
     /// The numbers of the points that scatter by each lobe. Rays of one lobe are traced together: they are of one kind,
@@ -77,7 +77,7 @@ struct PathFront {
       by_lobe[static_cast<std::size_t>(chosen)].push_back(point);
     }
   };
-  /// Scatters at surfaces that are diffuse alone. No path survives less likely than `least_survival`.
+  /// Scatters at surfaces with a diffuse lobe alone. Every path survives with probability least_survival at least.
   ///   random   two choices for a direction, and the last one for Russian roulette
   Scattered ScatterDiffusely(double least_survival, const PointsOfEach<4>& random) const;
 };

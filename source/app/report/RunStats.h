@@ -11,7 +11,7 @@
 
 namespace ray {
 
-/// What a run leaves to say: in the picture, in a report, on the terminal.
+/// Everything about a run that is written into the image, a report or the terminal.
 struct RunStats {
   Options options;
   std::string command;  // as typed
@@ -60,21 +60,21 @@ struct RunStats {
   bool IsComplete() const { return stop == "samples" || stop == "time" || stop == "error"; }
 };
 
-/// How many threads work on a picture.
+/// The number of threads that render.
 int ThreadsOf(const RenderSettings& settings);
 
-/// "scene.scn picture.jpg -width 512" with the program's name before it. No path that the user did not type: of the
-/// program, which the shell may have found anywhere, the bare name.
+/// "raypro scene.scn picture.jpg -width 512". Paths are as the user typed them, and the program is a bare name, since
+/// the shell may have found it anywhere.
 std::string CommandAsTyped(std::span<const std::string> words);
 
-/// What is kept in the picture itself. The same options make the same words on any day and any machine, but with
-/// -keep_times.
+/// The metadata that is kept in the image. It depends on the options alone, not on the day or the machine, unless
+/// -keep_times is given.
 R2::ImageSettings SettingsInPicture(const RunStats& stats);
 
 /// "out.jpg 512x512 16 spp 1.83 s 14.2 Mrays/s"
 std::string FinalLine(const RunStats& stats);
 
-/// What is known of the picture's error and why the render ended, where a budget or a reference asks for it; else
+/// The image's error, as far as it is known, and why the render ended, if a budget or a reference asks for it; else
 /// empty.
 std::string QualityLines(const RunStats& stats);
 

@@ -8,11 +8,12 @@
 
 namespace ray {
 
-/// What a ray cost, in things looked at: nodes, cells or leaves gone through, and primitives asked.
+/// The cost of a ray: how many nodes, cells and leaves it visited and how many primitives it was tested against.
 double Heat(const Counts& cost);
 
-/// Sees, in place of light, what another integrator's camera rays cost: in all channels alike, the heat of each ray and
-/// its descendants, or how many these are. Rays go one by one, so that each pixel pays for its own.
+/// Shows what another integrator's camera rays cost instead of the light they bring: the heat of each ray and its
+/// descendants, or their number, alike in all channels. Rays are traced one by one, so that each pixel pays for its
+/// own.
 class CostIntegrator : public Integrator {
  public:
   CostIntegrator(std::unique_ptr<const Integrator> traced, bool counts_rays)
@@ -25,10 +26,10 @@ class CostIntegrator : public Integrator {
   bool counts_rays_;
 };
 
-/// A cost as a color on one scale for all pictures, so that they can be compared: black at 1 and below, then blue at
-/// 10, red at 100, yellow at 1,000, white at 10,000 and above, evenly in the logarithm between.
+/// A cost as a color, on one scale for all images so that they can be compared: black at 1 and below, blue at 10, red
+/// at 100, yellow at 1,000, white at 10,000 and above, interpolated in the logarithm.
 R2::Color HeatColor(double heat);
-/// The cost from 1 to 10,000 whose color is the nearest.
+/// The cost from 1 to 10,000 with the nearest color.
 double HeatOf(const R2::Color& color);
 
 }  // namespace ray

@@ -16,12 +16,12 @@ struct MeshFormat {
   MeshFile (*read)(const Text& file, Report& report);
 };
 
-/// Every one, in the order of mesh_formats.def.
+/// All formats, in the order of mesh_formats.def.
 std::span<const MeshFormat* const> MeshFormats();
-/// By extension, in any letter case; null when no format has it.
+/// The format of an extension, in any letter case; null if there is none.
 const MeshFormat* MeshFormatForName(const std::string& name);
-/// What the format reads. Where that fails, or finds no face, and the file looks like something else, the error says
-/// that.
+/// Reads a mesh in this format. If that fails or finds no face, and the file looks like another format, the error says
+/// so.
 MeshFile ReadMeshFile(const MeshFormat& format, const Text& file, Report& report);
 /// ".off, .ray, ..."
 std::string MeshExtensions();

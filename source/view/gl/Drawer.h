@@ -9,7 +9,7 @@
 
 namespace ray {
 
-/// Draws FrameStates, and leaves on the GPU what does not change from one to the next.
+/// Draws FrameStates. What does not change from one to the next stays on the GPU.
 class Drawer {
  public:
   explicit Drawer(Painter& painter) : painter_(painter) {}
@@ -17,7 +17,7 @@ class Drawer {
   void Draw(const FrameState& state);
 
  private:
-  /// A list, and what it is on the GPU.
+  /// A list of vertices and its buffer on the GPU.
   template <typename List, typename GpuList>
   struct Slot {
     std::shared_ptr<const List> list;
@@ -29,7 +29,7 @@ class Drawer {
     return Upload(slot, lines, painter_.lists);
   }
 
-  /// A picture, and which rows of which frame it has.
+  /// A texture for an image, and which rows of which frame it holds.
   struct PictureSlot {
     std::uint64_t number = 0;
     std::shared_ptr<const R2::Image> image;
@@ -39,9 +39,9 @@ class Drawer {
   const GpuPicture& Upload(PictureSlot& slot, const FrameState::Picture& picture);
   void UploadImage(PictureSlot& slot, const std::shared_ptr<const R2::Image>& image);
   void UploadNewRows(PictureSlot& slot, const Frame& frame, int end);
-  /// The faces and what is behind them.
+  /// Draws the surfaces and the background.
   void DrawScene(const FrameState& state);
-  /// What covers the view, and beside its slider the rest.
+  /// Draws the image that covers the view, up to its slider, and the rest beside it.
   void DrawPicture(const FrameState& state);
   void Fit(PictureSlot& slot, int width, int height);
 

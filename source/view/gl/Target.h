@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// What is being drawn into, and where in it; again so at its end.
+/// Saves what is being drawn into and the viewport, and restores both at its end.
 class KeptTarget {
  public:
   KeptTarget();
@@ -22,7 +22,7 @@ class KeptTarget {
   std::array<GLint, 4> viewport_{}, clip_{};
 };
 
-/// Whether what is drawn into can encode in sRGB itself, and so blend light before.
+/// Whether the current target encodes in sRGB itself, so that blending is done in linear light.
 bool CanEncodeSrgb();
 
 }  // namespace ray
