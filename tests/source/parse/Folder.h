@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "source/parse/Parse.h"
+#include "tests/Sanitizers.h"
 
 namespace ray {
 
@@ -76,12 +77,7 @@ inline std::string ReportOf(std::string_view scene, const ParseOptions& options 
 
 inline bool Contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-/// Sanitizers make a program several times slower; limits of time allow for that.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr double patience = 10;
-#else
-inline constexpr double patience = 1;
-#endif
+using project::patience;
 
 inline const std::string identity = " 1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\n";
 inline const std::string red = "material 0 0 0  1 0 0  0 0 0  0 0 0  0 0 0  10 1 0\n";

@@ -58,9 +58,7 @@ TEST(Memory, ALimitOfAFewBytesIsNotSaidToBeNone) {
 // The oracle is the system's own count of what the process held.
 TEST(Extremes, K13_APictureTakesNoMoreThanItsEstimate) {
   NEEDS_THE_PROGRAM();
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers keep what is freed, and notes on all memory";
-#endif
+  NEEDS_NO_SANITIZER("what is freed is kept, and every byte has notes beside it");
   const Place place;
   const std::int64_t none = PeakOf(place, {"-width", "8", "-height", "8"});
   for (const auto& [filter, kind] : {std::pair{"box", FilterKind::box}, {"lanczos", FilterKind::lanczos}}) {
