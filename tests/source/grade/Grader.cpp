@@ -11,6 +11,11 @@
 #include "tests/Project.h"
 #include "tests/source/app/Program.h"
 
+/// AddressSanitizer reserves 20 TiB of addresses for its notes; ThreadSanitizer does not start with any limit on them.
+#define NEEDS_A_PROGRAM_TO_GRADE() \
+  NEEDS_THE_PROGRAM();             \
+  NEEDS_NO_THREAD_SANITIZER("raypro cannot run under the limit on memory of graded programs")
+
 namespace ray::testing {
 namespace {
 
@@ -24,7 +29,8 @@ grade::Suite MirrorSuite() {
 
 /// raypro as a student's program, with more options.
 grade::StudentResult GradeRaypro(const std::vector<std::string>& more, std::uint64_t seed = 0) {
-  const grade::Suite suite = MirrorSuite();
+  grade::Suite suite = MirrorSuite();
+  if (project::has_address_sanitizer) suite.memory = 0x1p30;  // MiB
   grade::GraderSettings settings;
   settings.seed = seed;
   settings.command = With({ProgramName(), "{scene}", "{image}", "-width", "{width}", "-height", "{height}"}, more);
@@ -33,7 +39,7 @@ grade::StudentResult GradeRaypro(const std::vector<std::string>& more, std::uint
 }
 
 TEST(Grader, ARightProgramHasAllPoints) {
-  NEEDS_THE_PROGRAM();
+  NEEDS_A_PROGRAM_TO_GRADE();
   const auto result = GradeRaypro({});
   EXPECT_EQ(result.scenes[0].outcome, Outcome::right) << result.scenes[0].headline << result.scenes[0].program_output;
   EXPECT_EQ(result.Score(), result.Points());
@@ -41,12 +47,12 @@ TEST(Grader, ARightProgramHasAllPoints) {
 }
 
 TEST(Grader, SmoothedEdgesAreRight) {
-  NEEDS_THE_PROGRAM();
+  NEEDS_A_PROGRAM_TO_GRADE();
   EXPECT_EQ(GradeRaypro({"-samples", "16"}).scenes[0].outcome, Outcome::right);
 }
 
 TEST(Grader, AMistakeIsNamedAndKeepsAShareOfThePoints) {
-  NEEDS_THE_PROGRAM();
+  NEEDS_A_PROGRAM_TO_GRADE();
   const auto scene = GradeRaypro({"-max_depth", "2"}).scenes[0];
   EXPECT_EQ(scene.mistakes, "one_bounce_less") << scene.headline;
   EXPECT_GE(scene.score, 0.5 * scene.points);
@@ -55,20 +61,20 @@ TEST(Grader, AMistakeIsNamedAndKeepsAShareOfThePoints) {
 }
 
 TEST(Grader, TwoMistakesAreNamedTogether) {
-  NEEDS_THE_PROGRAM();
+  NEEDS_A_PROGRAM_TO_GRADE();
   const auto scene = GradeRaypro({"-max_depth", "2", "-shadows", "off"}).scenes[0];
   EXPECT_TRUE(Has(scene.mistakes, "one_bounce_less") && Has(scene.mistakes, "no_shadows")) << scene.mistakes;
 }
 
 TEST(Grader, AnImageOfAnotherSizeSaysSo) {
-  NEEDS_THE_PROGRAM();
+  NEEDS_A_PROGRAM_TO_GRADE();
   const auto scene = GradeRaypro({"-width", "90", "-height", "120"}).scenes[0];
   EXPECT_EQ(scene.outcome, Outcome::failed);
   EXPECT_TRUE(Has(scene.headline, "swapped")) << scene.headline;
 }
 
 TEST(Grader, ResultsSurviveWritingAndReading) {
-  NEEDS_THE_PROGRAM();
+  NEEDS_A_PROGRAM_TO_GRADE();
   const auto result = GradeRaypro({"-max_depth", "2"});
   const std::string json = ResultsJson(result, "suite 1");
   const auto again = grade::ReadResultsJson(json, "suite 1");
