@@ -157,7 +157,7 @@ void Running::Send(int signal) {
 
 void Running::WaitUntilItCatches(int signal) {
   using namespace std::chrono_literals;
-  const auto end = std::chrono::steady_clock::now() + 1min;
+  const auto end = std::chrono::steady_clock::now() + 1min * project::patience;
   while (!IsOver() && !Catches(process_, signal) && std::chrono::steady_clock::now() < end)
     std::this_thread::sleep_for(1ms);
 }
@@ -169,7 +169,7 @@ bool Running::IsOver() {
 
 Finished Running::Wait(std::chrono::milliseconds longest) {
   using namespace std::chrono_literals;
-  const auto end = std::chrono::steady_clock::now() + longest;
+  const auto end = std::chrono::steady_clock::now() + longest * project::patience;
   while (!IsOver() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(500us);
   if (!IsOver()) {
     Send(SIGKILL);

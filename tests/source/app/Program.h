@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "R2/ImageFile.h"
+#include "tests/Sanitizers.h"
 
 /// Running the real programs, which the environment variables RAYPRO, RAYIMG and RAYVIEW name, and looking at what it
 /// leaves behind.
@@ -81,7 +82,7 @@ class Running {
   void Send(int signal);
   /// Until the program has a handler for the signal, to which it may take seconds on a busy machine; or until it is over.
   void WaitUntilItCatches(int signal);
-  /// Kills it when it takes longer: `status` is then -1.
+  /// Kills it when it takes longer, ten times as long under a sanitizer: `status` is then -1.
   Finished Wait(std::chrono::milliseconds longest = std::chrono::minutes(2));
   bool IsOver();
 
