@@ -43,7 +43,9 @@ RunResult RunHostile(const Sandbox& sandbox, const Workplace& place, const std::
 TEST(Sandbox, AProgramThatNeverEndsIsStopped) {
   for (const Sandbox& sandbox : Sandboxes()) {
     const Workplace place;
-    EXPECT_EQ(RunHostile(sandbox, place, "sleeper").end, RunResult::End::timed_out) << sandbox.Describe();
+    const RunResult result = RunHostile(sandbox, place, "sleeper");
+    EXPECT_EQ(result.end, RunResult::End::timed_out)
+        << sandbox.Describe() << "\n" << result.Problem() << "\n" << result.output;
   }
 }
 
