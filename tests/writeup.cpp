@@ -79,7 +79,7 @@ TEST(Writeup, EveryLinkAndPictureOfThePagesExists) {
   }
 }
 
-TEST(Writeup, IdsAreUniqueAndEveryPictureSaysWhatItShowsAndHowLargeItIs) {
+TEST(Writeup, IdsAreUniqueAndImagesHaveAltTextAndSize) {
   for (const std::string page : pages) {
     std::set<std::string> ids;
     int images = 0;
@@ -103,7 +103,7 @@ TEST(Writeup, IdsAreUniqueAndEveryPictureSaysWhatItShowsAndHowLargeItIs) {
   }
 }
 
-TEST(Writeup, EveryStoredPictureIsInTheTableAndAllTogetherAreSmall) {
+TEST(Writeup, StoredImagesAreListedAndSmallAltogether) {
   const std::string table = TextOf(project::Root() / "script" / "pictures.txt");
   std::uintmax_t bytes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(Writeup() / "pictures")) {

@@ -151,7 +151,7 @@ std::vector<double> NearMultiplesOfHalfPi() {
 
 const std::vector<Interval> angles{{-1, 1}, {-10, 10}, {-1e6, 1e6}, {-0x1p40, 0x1p40}};
 
-TEST(Elementary, SineAndCosineAreWithinEightTenthsOfAnUlpForAnglesOfAnySize) {
+TEST(Elementary, SineAndCosineAreWithinEightTenthsOfAnUlp) {
   ExpectWithin(0.8, R1::Sin, TRUTH(sin), angles, NearMultiplesOfHalfPi());
   ExpectWithin(0.8, R1::Cos, TRUTH(cos), angles, NearMultiplesOfHalfPi());
 }
@@ -200,13 +200,13 @@ Worst WorstOfPairs(double (*function)(double, double), Quad (*truth)(Quad, Quad)
   return worst;
 }
 
-TEST(Elementary, TheAngleOfAPointIsWithinFiftyFiveHundredthsOfAnUlp) {
+TEST(Elementary, Atan2IsWithinFiftyFiveHundredthsOfAnUlp) {
   const Worst worst =
       WorstOfPairs(R1::Atan2, TRUTH(atan2), {{{-1, 1}, {-1, 1}}, {{0.9, 1}, {0.9, 1}}, {{-1, 1}, {-1e9, 1e9}}});
   EXPECT_LE(worst.error, 0.55) << worst.Where();
 }
 
-TEST(Elementary, TheLengthOfAHypotenuseIsWithinFiftyFiveHundredthsOfAnUlp) {
+TEST(Elementary, HypotIsWithinFiftyFiveHundredthsOfAnUlp) {
   const Worst worst =
       WorstOfPairs(R1::Hypot, TRUTH(hypot), {{{-1, 1}, {-1, 1}}, {{0.9, 1}, {0, 0.01}}, {{-1, 1}, {-1e9, 1e9}}});
   EXPECT_LE(worst.error, 0.55) << worst.Where();
@@ -219,7 +219,7 @@ TEST(Elementary, PowersAreWithinFiftyFiveHundredthsOfAnUlp) {
   EXPECT_LE(worst.error, 0.76) << worst.Where();
 }
 
-TEST(Elementary, ATurnInQuartersIsExactAndInPartsWithinEightTenthsOfAnUlp) {
+TEST(Elementary, QuarterTurnsAreExactAndOthersWithinEightTenthsUlp) {
   for (int i = -8; i <= 8; ++i) {
     const auto [sine, cosine] = R1::SinCosTurns(0.25 * i);
     EXPECT_EQ(std::abs(sine), i & 1 ? 1 : 0) << i;
@@ -243,7 +243,7 @@ TEST(Elementary, ATurnInQuartersIsExactAndInPartsWithinEightTenthsOfAnUlp) {
   EXPECT_LE(worst.error, 0.8) << worst.Where();
 }
 
-TEST(Elementary, TheFloorIsThatOfTheCLibraryForEveryDouble) {
+TEST(Elementary, FloorEqualsThatOfTheCLibrary) {
   const auto check = [](double x) {
     if (std::isnan(x))
       EXPECT_TRUE(std::isnan(R1::Floor(x)));

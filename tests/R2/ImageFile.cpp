@@ -102,7 +102,7 @@ TEST(ImageFile, SettingsSurviveInJpegPngAndExr) {
   EXPECT_GE(formats_with_settings, 2);
 }
 
-TEST(ImageFile, SettingsThatWereOnlyAPartOfTheFileDoNotStopItsWriting) {
+TEST(ImageFile, SettingsThatCannotBeStoredDoNotPreventWriting) {
   const ImageSettings odd{{"", "no key"},
                           {std::string(300, 'k'), "long key"},
                           {"zero", std::string("a\0b", 3)},
@@ -116,7 +116,7 @@ TEST(ImageFile, SettingsThatWereOnlyAPartOfTheFileDoNotStopItsWriting) {
 }
 
 // K9: a download that broke off, a disk that filled up.
-TEST(ImageFile, ATruncatedFileIsRefusedOrStillHoldsTheWholePicture) {
+TEST(ImageFile, ATruncatedFileIsRefusedOrStillComplete) {
   for (const ImageFormat& format : ImageFormats()) {
     const Bytes bytes = format.encode(Gradient(9, 3), {}, {{"seed", "7"}});
     const Image whole = DecodeImage(bytes).image;
@@ -224,7 +224,7 @@ TEST(ImageFile, LinearKindsKeepWhatIsBrighterThanWhite) {
 }
 
 // A ray gone wrong must spoil one pixel, not the file.
-TEST(ImageFile, ValuesThatAreNoNumbersCanBeWrittenInEveryFormat) {
+TEST(ImageFile, EveryFormatWritesNonFiniteValues) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   Image image(9, 2);
   image.Set(0, 0, {nan, nan, nan});

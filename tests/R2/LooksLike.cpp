@@ -31,7 +31,7 @@ TEST(LooksLike, FilesOfOtherProgramsAreNamed) {
   EXPECT_EQ(Look("ply\nformat ascii 1.0\n"sv), "a PLY mesh");
 }
 
-TEST(LooksLike, FilesThatAreOfAFormatOfOursAreNamedToo) {
+TEST(LooksLike, NamesFilesOfSupportedFormatsToo) {
   EXPECT_EQ(LooksLike(Format("png").encode(Image(1, 1), {}, {})), "a PNG image");
   EXPECT_EQ(LooksLike(Format("jpeg").encode(Image(1, 1), {}, {})), "a JPEG image");
   EXPECT_EQ(LooksLike(Format("hdr").encode(Image(1, 1), {}, {})), "a Radiance HDR image");
@@ -57,7 +57,7 @@ TEST(LooksLike, WhatIsNotKnownHasNoName) {
 }
 
 // Nothing of the file itself goes into a message: it may steer a terminal.
-TEST(LooksLike, AFileThatIsNoImageIsNamedInTheMessage) {
+TEST(LooksLike, TheErrorNamesTheActualFileType) {
   EXPECT_EQ(Complaint(ToBytes("<html>")).substr(0, 72),
             "unknown image format: the file looks like a web page (HTML); supported: ");
 }

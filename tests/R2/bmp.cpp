@@ -51,7 +51,7 @@ TEST(Bmp, IsWrittenByteForByteAsTheFormatSays) {
   EXPECT_EQ(Format("bmp").encode(DecodeImage(plain).image, {}, {}), expected);
 }
 
-TEST(Bmp, ThirtyTwoBitsHoldBlueGreenRedAndAByteThatIsDropped) {
+TEST(Bmp, PixelsOf32BitsHoldBgrAndAnIgnoredByte) {
   const Image image = DecodeImage(Headers(54, 1, 1, 32) + Bytes{51, 102, 255, 7}).image;
   EXPECT_EQ(ToByte(image.At(0, 0).r), 255);
   EXPECT_EQ(ToByte(image.At(0, 0).g), 102);
@@ -133,7 +133,7 @@ TEST(Bmp, TheMarkOfTheEndMayBeMissing) {
 }
 
 // A program that believes a run writes beyond its memory.
-TEST(Bmp, RunsBeyondTheRowOrTheImageAreCutAndTold) {
+TEST(Bmp, OverlongRunsAreCutWithAWarning) {
   for (const Bytes& runs : {Bytes{255, 1, 0, 1}, Bytes{3, 1, 0, 4, 2, 2, 2, 2, 0, 1}, Bytes{0, 2, 200, 0, 1, 1, 0, 1},
                             Bytes{0, 2, 0, 200, 1, 1, 0, 1}, Bytes{0, 2, 255, 255}}) {
     const DecodedImage decoded = ReadRuns(runs);

@@ -120,7 +120,7 @@ void SetLittle(Bytes& bytes, std::size_t at, std::uint32_t number) {
 
 }  // namespace
 
-TEST(Exr, HalvesAreReadFromAnOffsetWindowInEveryLosslessCompressionAndOrder) {
+TEST(Exr, ReadsHalvesInEveryLosslessCompressionAndLineOrder) {
   for (const auto compression : {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION,
                                  Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION}) {
     SCOPED_TRACE(compression);
@@ -191,7 +191,7 @@ struct Windows {
 
 // Compositing programs store the part of a frame that they know of, or more than the frame. The files come from
 // exr/write.py.
-TEST(Exr, TheImageIsTheDisplayWindowAndBlackWhereNothingIsStored) {
+TEST(Exr, TheDisplayWindowIsBlackWhereNothingIsStored) {
   for (const Windows& w : {Windows{"within.exr", 0, 0, 7, 4, 2, 1, 5, 3},
                            {"beyond.exr", 1, 2, 4, 4, -2, -1, 8, 6},
                            {"aside.exr", -1, -2, 5, 3, -3, 1, 2, 9},
@@ -245,7 +245,7 @@ TEST(Exr, ThatHoldsForLuminanceAndChromaToo) {
 }
 
 // What is not stored takes no bytes of the file, and could be any amount of memory.
-TEST(Exr, AnImageThatIsHardlyMoreThanMarginIsRefusedBeforeMemoryIsAskedFor) {
+TEST(Exr, AnImageOfMostlyMarginIsRefusedBeforeAllocating) {
   const Bytes plain = Format("exr").encode(Gradient(9, 3), {}, {});
   const std::size_t window = ValueOf(plain, "displayWindow", "box2i");
   const auto displayed = [&](std::uint32_t right, std::uint32_t bottom) {
@@ -271,7 +271,7 @@ TEST(Exr, AHeaderWithoutADisplayWindowIsRefused) {
 }
 
 // The library would read the attributes behind one of a wrong size from wrong places, and make room for any size there.
-TEST(Exr, AnAttributeWhoseSizeIsNotThatOfItsTypeIsRefused) {
+TEST(Exr, AttributesOfTheWrongSizeAreRefused) {
   const Bytes plain = ScanLines({"R", "G", "B"}, Imf::ZIP_COMPRESSION);
   for (const auto& [name, type] : {std::pair<std::string, std::string>{"channels", "chlist"},
                                    {"dataWindow", "box2i"},
@@ -293,7 +293,7 @@ TEST(Exr, AnAttributeWhoseSizeIsNotThatOfItsTypeIsRefused) {
 }
 
 // A header that promises wide rows costs nothing while only the header is read.
-TEST(Extremes, K3_WhatAnExrSaysOfItselfIsReadWithoutRoomForItsRows) {
+TEST(Extremes, K3_AnExrHeaderIsReadWithoutAllocatingRows) {
   Bytes bytes = ScanLines({"R", "G", "B"}, Imf::ZIP_COMPRESSION);
   for (const char* window : {"dataWindow", "displayWindow"}) {
     const std::size_t left = ValueOf(bytes, window, "box2i"), right = left + 8;

@@ -24,7 +24,7 @@ TEST(Hdr, PlainPixelsAreReadFromTheTopLeft) {
   EXPECT_EQ(decoded.settings, (ImageSettings{{"EXPOSURE", "2"}}));
 }
 
-TEST(Hdr, OldRunsRepeatThePixelBeforeThemAndGrowByteByByte) {
+TEST(Hdr, OldRunsRepeatPixelsWithMultiByteCounts) {
   const Image image = DecodeImage(Header("-Y 1 +X 5") + red + Bytes{1, 1, 1, 3} + blue).image;
   EXPECT_EQ(image.At(3, 0), (Color{1, 0, 0}));
   EXPECT_EQ(image.At(4, 0), (Color{0, 0, 1}));
@@ -106,7 +106,7 @@ TEST(Hdr, RunsMakeFlatPicturesSmallAndNoiseHardlyLarger) {
   EXPECT_LT(Format("hdr").encode(noise, {}, {}).size(), 41500u);
 }
 
-TEST(Hdr, EveryMagnitudeIsWithinHalfAStepAndTheExtremesSaturate) {
+TEST(Hdr, ValuesAreWithinHalfAStepOrSaturate) {
   const auto there_and_back = [](double value) {
     Image image(1, 1);
     image.Set(0, 0, {value, value, value});

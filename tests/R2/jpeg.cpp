@@ -142,7 +142,7 @@ TEST(Jpeg, DamageWithinThePixelsIsToldOnce) {
 }
 
 // A stretch between two restart markers may stand for 65,535 blocks of pixels and take two bytes.
-TEST(Jpeg, AFileTooSmallForItsPixelsIsNotFilledWithGray) {
+TEST(Jpeg, AFileTooSmallForItsPixelsIsRefused) {
   Bytes bytes = Flat(9, 1, JCS_GRAYSCALE);
   const std::size_t size = Frame(bytes, 0xc0) + 5;
   for (std::size_t i = 0; i < 4; ++i) bytes[size + i] = i % 2 ? 0 : 0x20;  // 8,192
@@ -173,7 +173,7 @@ TEST(Jpeg, HigherQualityMakesLargerFiles) {
 }
 
 // A block of one color takes 6, 4 and 4 bits for its three channels by the codes of the standard, Annex K.
-TEST(Jpeg, AnEvenPictureTakesFewerBytesThanTheCodesOfTheStandardWould) {
+TEST(Jpeg, AFlatImageIsSmallerThanWithStandardCodes) {
   constexpr int size = 512, blocks = size / 8 * (size / 8);
   EXPECT_LT(Format("jpeg").encode(Image(size, size), {.jpeg_quality = 90}, {}).size(), blocks * 14u / 8);
 }
@@ -224,7 +224,7 @@ TEST(Jpeg, ThousandsOfScansAreRefused) {
   EXPECT_NE(Complaint(many + Bytes{0xff, 0xd9}), "");
 }
 
-TEST(Jpeg, APictureTooLargeForTheFormatIsRefusedAndNotCut) {
+TEST(Jpeg, AnImageTooLargeForTheFormatIsRefused) {
   EXPECT_THROW(Format("jpeg").encode(Image(65536, 1), {}, {}), ImageError);
 }
 

@@ -13,7 +13,7 @@ const Bytes one{0x3f, 0x80, 0, 0}, minus_two{0xc0, 0, 0, 0}, half{0x3f, 0, 0, 0}
 
 }  // namespace
 
-TEST(Pfm, APositiveScaleMeansBigEndianAndTheFirstRowIsTheBottomOne) {
+TEST(Pfm, APositiveScaleIsBigEndianAndRowsRunUpward) {
   const Image image = DecodeImage(ToBytes("PF\n1 2\n1.0\n") + one + minus_two + half + half + half + one).image;
   EXPECT_EQ(image.At(0, 0), (Color{1, -2, 0.5}));
   EXPECT_EQ(image.At(0, 1), (Color{0.5, 0.5, 1}));
@@ -25,7 +25,7 @@ TEST(Pfm, GrayIsReadInBothByteOrders) {
 }
 
 // A float may begin like white space: only the length of the file tells.
-TEST(Pfm, BlanksBehindTheScaleAreHeaderOnlyWhereTheFileIsLongerForThem) {
+TEST(Pfm, TheFileLengthTellsHeaderBlanksFromPixels) {
   const Bytes blank_and_line{' ', '\n', 0x80, 0x3f};  // a float, little-endian
   const float as_pixel = std::bit_cast<float>(0x3f800a20u);
   EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 -1\n") + blank_and_line).image.At(0, 0).g, double{as_pixel});

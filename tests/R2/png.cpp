@@ -62,7 +62,7 @@ TEST(Png, RowsAreReadFromTheTop) {
   EXPECT_EQ(image.At(0, 0), (Color{0, 0, 1}));
 }
 
-TEST(Png, GrayOfEveryDepthIsReadAsAFractionOfItsLargest) {
+TEST(Png, GrayOfEveryDepthIsScaledToOne) {
   const struct {
     unsigned char depth;
     Bytes line;
@@ -79,7 +79,7 @@ TEST(Png, GrayOfEveryDepthIsReadAsAFractionOfItsLargest) {
   }
 }
 
-TEST(Png, PalettesOfEveryDepthAreReadAndIndicesTakenFromThem) {
+TEST(Png, PaletteIndicesOfEveryDepthGiveTheirColors) {
   const Bytes colors = Chunk("PLTE", {0, 0, 0, 255, 0, 51});
   const Bytes lines[] = {{0, 0x40}, {0, 0x10}, {0, 0x01}, {0, 0, 1}};
   const unsigned char depths[] = {1, 2, 4, 8};
@@ -178,7 +178,7 @@ TEST(Png, SixteenBitsAreKeptToTheLast) {
   EXPECT_EQ(ToShort(c.b), 65534);
 }
 
-TEST(Png, TextOfOtherProgramsIsReadInEachOfItsForms) {
+TEST(Png, TextChunksOfEveryKindAreRead) {
   const Bytes zero{0}, plain_text{0, 0};  // not compressed, by method 0
   const Bytes latin = Chunk("tEXt", ToBytes("Author") + zero + ToBytes("Zo\xeb"));
   const Bytes packed = Chunk("zTXt", ToBytes("Title") + Bytes{0, 0} + Stored(ToBytes("packed")));
@@ -206,7 +206,7 @@ TEST(Png, HeadersThatPromiseTooMuchAreRefused) {
 }
 
 // A header read beyond the text behind the pixels, which are passed over packed: unpacked they would be 3.2 GB.
-TEST(Extremes, K4_WhatAPngSaysOfItselfIsReadWithoutUnpackingIt) {
+TEST(Extremes, K4_PngMetadataIsReadWithoutDecompressingPixels) {
   const Bytes late = Chunk("tEXt", ToBytes("Late") + Bytes{0} + ToBytes("behind the pixels"));
   const Bytes bytes = ToBytes(BlackPng(16384, 16384, std::string(late.begin(), late.end())));
   EXPECT_LT(bytes.size(), 40'000u);
@@ -223,7 +223,7 @@ TEST(Extremes, K4_WhatAPngSaysOfItselfIsReadWithoutUnpackingIt) {
   EXPECT_LE(peak() - before, 16 * 1024);
 }
 
-TEST(Extremes, K4_TextThatUnpacksToManyTimesItsSizeIsLeftOut) {
+TEST(Extremes, K4_PngTextBombsAreLeftOut) {
   std::vector<unsigned char> text(std::size_t{4} << 20, 'x'), packed(std::size_t{1} << 20);
   uLongf length = packed.size();
   ASSERT_EQ(compress2(packed.data(), &length, text.data(), text.size(), 9), Z_OK);
@@ -241,7 +241,7 @@ TEST(Extremes, K4_TextThatUnpacksToManyTimesItsSizeIsLeftOut) {
 }
 
 // The guard above must not refuse what is merely packed well: a black picture shrinks nearly 1032 times.
-TEST(Png, PicturesThatArePackedAsTightAsCanBeAreRead) {
+TEST(Png, ImagesCompressedToTheUtmostAreRead) {
   const Bytes bytes = Format("png").encode(Image(3000, 1000), {}, {});
   EXPECT_LT(bytes.size(), 10000u);
   EXPECT_EQ(DecodeImage(bytes).image, Image(3000, 1000));

@@ -40,7 +40,7 @@ TEST(Ppm, BlackAndWhiteIsReadAsTextAndAsBits) {
 }
 
 // A pixel may be 10, which is also the end of a line: only the length of the file tells.
-TEST(Ppm, WhiteSpaceIsHeaderOnlyWhereTheFileIsLongerForIt) {
+TEST(Ppm, TheFileLengthTellsHeaderWhiteSpaceFromPixels) {
   const Bytes line_and_51{'\n', 51};
   for (const char* header : {"P5 2 1 255\n", "P5 2 1 255\r", "P5 2 1 255\r\n", "P5 2 1 255 \n"}) {
     const DecodedImage decoded = DecodeImage(ToBytes(header) + line_and_51);
@@ -51,7 +51,7 @@ TEST(Ppm, WhiteSpaceIsHeaderOnlyWhereTheFileIsLongerForIt) {
 }
 
 // Then nothing speaks for the blank being one too many.
-TEST(Ppm, ABlankIsTheEndOfTheHeaderWhereTheFileIsLongerByMore) {
+TEST(Ppm, OneBlankEndsTheHeaderOfAnOverlongFile) {
   const DecodedImage decoded = DecodeImage(ToBytes("P5 2 1 255 ") + Bytes{'\n', 51, 1, 2});
   EXPECT_EQ(ToByte(decoded.image.At(0, 0).r), 10);
   EXPECT_EQ(decoded.warnings, std::vector<std::string>{"PPM has 2 bytes behind its image, which are ignored"});
@@ -82,7 +82,7 @@ TEST(Ppm, IsWrittenByteForByteAsTheFormatSays) {
 }
 
 // K6: a wrong number must not quietly become another.
-TEST(Ppm, NumbersThatAreNotWholeOrOutOfRangeAreRefused) {
+TEST(Ppm, InvalidOrOutOfRangeNumbersAreRefused) {
   for (const char* text :
        {"P3 1,5 1 255 0 0 0", "P3 0 1 255", "P3 -1 1 255 0 0 0", "P3 1 1 0 0 0 0", "P3 1 1 65536 0 0 0",
         "P3 1 1 255 0 0 256", "P3 1 1 255 0 0 -1", "P3 1 1 255 0 0 0x1", "P3 1 1 255 0 0 1e1", "P3 1 1 255 0 +1 0",

@@ -113,7 +113,7 @@ TEST(Samples, AreReadAsOthersReadThem) {
   EXPECT_GE(read, 70);
 }
 
-TEST(Samples, ThatCannotBeReadAreRefusedInWordsThatNameWhy) {
+TEST(Samples, ThatCannotBeReadAreRefusedWithTheReason) {
   for (const Sample& sample : ReadSamples()) {
     if (sample.error.empty() || !IsRead(sample)) continue;
     const std::string complaint = Complaint(ReadSample(sample.file));
@@ -131,7 +131,7 @@ TEST(Samples, AreAllListed) {
 }
 
 // A download that breaks off anywhere in one of them.
-TEST(Samples, CutShortAnywhereAreRefusedOrHoldAPictureOfTheirSize) {
+TEST(Samples, CutShortAreRefusedOrKeepTheirSize) {
   for (const Sample& sample : ReadSamples()) {
     const Bytes bytes = ReadSample(sample.file);
     for (std::size_t length = 0; length < bytes.size(); ++length) {

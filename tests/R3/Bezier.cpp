@@ -65,7 +65,7 @@ TEST(Bezier, OverAGridItIsTheCubicOfItsHeights) {
   }
 }
 
-TEST(Bezier, ARayThroughAPlaceOfACurvedPatchFindsItsCoordinates) {
+TEST(Bezier, RaysFindTheUvOfPointsOnCurvedPatches) {
   // Where u and v are no straight functions of the place, a step of Newton's method is not enough.
   Draw draw(82);
   int judged = 0;
@@ -149,7 +149,7 @@ TEST(Bezier, PatchesWithACommonEdgeLeaveNoGap) {
   EXPECT_EQ(through, 0);
 }
 
-TEST(Bezier, ACornerOfCoincidentPointsHasANormalAndNoHole) {
+TEST(Bezier, ADegenerateCornerHasANormalAndNoHole) {
   // The first row is one point, as in the lid of the teapot.
   Corners corners = Over([](int i, int j) { return 0.2 * (i - 1.5) * (i - 1.5) - 0.4 * j; });
   for (std::size_t i = 0; i < 4; ++i) corners[i] = {1.5, 1, 3};

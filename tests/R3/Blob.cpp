@@ -62,7 +62,7 @@ R3::Ray RayThroughBlobs(Draw& draw) {
   return {R3::Point{} + draw.Between(0, 1.5) * draw.Direction() - 5 * d, d};
 }
 
-TEST(Blob, OfOneBallIsASphereWhereItsFieldIsTheThreshold) {
+TEST(Blob, OfOneBallIsASphere) {
   // 2 (1 - d^2 / 9)^3 = 0.25 at d = 3 sqrt(1 / 2).
   const auto blob = R3::MakeShape("blob", {0.25, 1, 2, 3, 3, 2});
   const double radius = 3 * std::sqrt(0.5);

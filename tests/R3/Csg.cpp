@@ -62,7 +62,7 @@ R3::Ray RayAt(Draw& draw, const R3::Box& box) {
   return {target - 3 * box.Radius() * direction, direction};
 }
 
-TEST(Csg, ABoxLessACylinderHasAHoleOfTheRadius) {
+TEST(Csg, ABoxMinusACylinderHasARoundHole) {
   // The hole's faces are in those of the box to the bit.
   const auto plate = CsgOf(Combined(subtract, Solid("box", {-2, -1, -2, 2, 1, 2}), Solid("cylinder", {0, 0, 0, 1, 2})));
   EXPECT_TRUE(AllHits(*plate, {{0.3, 5, 0.4}, {0, -1, 0}}).empty());
@@ -163,7 +163,7 @@ TEST(Csg, ASolidAloneIsHitAsItIs) {
   }
 }
 
-TEST(Csg, AMeshIsEnteredAsOftenAsItIsLeftEvenAtItsCorners) {
+TEST(Csg, RaysEnterAMeshAsOftenAsTheyLeave) {
   const auto mesh = BumpySolid();
   const auto csg = CsgOf(Combined(unite, accelerators::Leaf(mesh)));
   Draw draw(41);
@@ -227,7 +227,7 @@ TEST(Csg, RaysPassAHoleWhoseFacesAreRoundedOtherwise) {
   }
 }
 
-TEST(Csg, RaysPassAHoleWhoseFramesCameByWayOfFarAway) {
+TEST(Csg, RaysPassAHoleMovedFarAwayAndBack) {
   // Both solids are turned about a place 10^4 away and brought back, which costs digits that no number of the result
   // shows.
   Draw draw(48);
@@ -418,7 +418,7 @@ TEST(Csg, RandomTreesAreHitWhereSetsOfPointsSay) {
   EXPECT_LT(undecided, judged / 100);
 }
 
-TEST(Csg, TakesAllCrossingsOfASolidThatIsMetVeryOften) {
+TEST(Csg, HandlesHundredsOfCrossingsOfOneSolid) {
   // Plates one tenth apart, two hundred crossings along x, of which a ball keeps those within.
   const auto plates = std::make_shared<R3::Implicit>(R3::Expression("sin(20 pi x) + 0.5"),
                                                      R3::Box{{-5.01, -1, -1}, {5.01, 1, 1}});

@@ -9,7 +9,7 @@
 
 namespace {
 
-TEST(DifferenceOfProducts, HasTheRightSignAndOneAndAHalfUlpsHoweverMuchCancels) {
+TEST(DifferenceOfProducts, IsWithinOneAndAHalfUlpsDespiteCancellation) {
   Draw draw(901);
   for (int i = 0; i < 200'000; ++i) {
     const double a = draw.Between(-1, 1), b = draw.Between(-1, 1), c = a * (1 + draw.Whole(-2, 2) * 0x1p-52);

@@ -35,7 +35,7 @@ std::array<Vector, 2> GradientsOf(const Mesh& mesh, int element) {
   return {uv.gain_first.x * first + uv.gain_second.x * second, uv.gain_first.y * first + uv.gain_second.y * second};
 }
 
-TEST(ProjectedMesh, OfABoxShowsImagesUprightInTheirSizeAndFromTheOrigin) {
+TEST(ProjectedMesh, OfABoxShowsImagesUprightAndUnscaled) {
   const auto box = KindNamed("box").make(std::array{-1.0, 0.5, 2.0, 1.0, 3.0, 4.0});
   const auto mesh = Mesh(WithoutUvs(*box)).Projected();
   int walls = 0;

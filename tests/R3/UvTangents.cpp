@@ -51,7 +51,7 @@ TEST(UvTangents, FoundByRaysRunOverTheSeamOfATexture) {
 }
 
 // v runs from 0 to 1 over the height of 2; above the rim there is nothing.
-TEST(UvTangents, FoundByRaysAreThoseOfOneSideAtAnEdge) {
+TEST(UvTangents, FoundByRaysAreOneSidedAtAnEdge) {
   const R3::UvTangents uv = FoundByRays("cylinder", {0, 0, 0, 1, 2}, {{5, 1 - 1e-9, 0}, {-1, 0, 0}});
   EXPECT_LT(Length(Gradient(uv, {1, 0, 0}, &R2::Vector::y) - R3::Vector{0, 0.5, 0}), 1e-8);
 }
@@ -77,7 +77,7 @@ class Roof : public R3::Shape {
   static R3::Normal NormalOf(int part) { return AsNormal(Unit(R3::Vector{part == 1 ? 0.25 : -0.25, 0, 1})); }
 };
 
-TEST(UvTangents, FoundByRaysAreThoseOfThePartThatWasHit) {
+TEST(UvTangents, FoundByRaysBelongToThePartHit) {
   const Roof roof;
   const R3::Ray ray{{1e-9, 0, 1}, {0, 0, -1}};
   const auto hit = roof.Intersect(ray, 0);
@@ -87,7 +87,7 @@ TEST(UvTangents, FoundByRaysAreThoseOfThePartThatWasHit) {
 }
 
 // CONTRIBUTING promises that a new shape need not say it.
-TEST(UvTangents, AreFoundByRaysWhereAShapeDoesNotSayThem) {
+TEST(UvTangents, AreFoundByRaysIfAShapeGivesNone) {
   for (const auto* kind : AllShapeKinds()) {
     const auto shape = kind->make(kind->example);
     const Silent silent(*shape);

@@ -9,7 +9,7 @@
 
 namespace {
 
-TEST(Vector, LengthAndUnitWorkFromTheSmallestToTheLargestDouble) {
+TEST(Vector, LengthAndUnitNeitherOverflowNorUnderflow) {
   for (const double scale : {0x1p-1070, 1e-200, 1e-100, 1.0, 1e100, 1e200, 1e307}) {
     EXPECT_NEAR(Length(R3::Vector{3 * scale, 0, 4 * scale}) / scale, 5, 1e-14);
     const R3::Vector u = Unit(R3::Vector{3 * scale, 0, -4 * scale});
@@ -39,7 +39,7 @@ TEST(Box, GrowsFromNothingAndKnowsWhenItIsEmpty) {
   EXPECT_EQ(box.Center(), (R3::Point{1, 2, 3}));
 }
 
-TEST(Transform, TakesTheBoxOfABoxAndBackARayKeepsItsT) {
+TEST(Transform, MapsBoxesAndKeepsTheTOfRays) {
   R3::Matrix m;
   m.m = {{{0, -2, 0, 1}, {2, 0, 0, 0}, {0, 0, 2, 0}}};
   const auto transform = R3::Transform::Of(m);
@@ -63,7 +63,7 @@ TEST(Transform, NormalsStayPerpendicularUnderAnyAffineMap) {
   }
 }
 
-TEST(SpawnPoint, LiesBeyondTheErrorOnTheSideTheRayHeadsFor) {
+TEST(SpawnPoint, LiesBeyondTheErrorOnTheRaysSide) {
   R3::Intersection at;
   at.position = {1, 2, 3};
   at.error = {1e-9, 2e-9, 3e-9};

@@ -140,7 +140,7 @@ TEST(Extremes, I3_ConesAreCoveredEvenlyHoweverNarrow) {
   }
 }
 
-TEST(Warp, DirectionsAreUnitAndFiniteAlsoAtTheEdgesOfTheSquare) {
+TEST(Warp, DirectionsAreUnitEvenAtTheSquaresEdges) {
   const R3::Vector abouts[] = {{0, 0, 1}, {0, 0, -1}, {0, 0.6, -0.8}, {1, 0, -0.0}, Unit(R3::Vector{1e-9, 2e-9, -1})};
   for (const R2::Point& u : Extremes()) {
     std::vector<R3::Vector> directions{R3::SampleCosineHemisphere(u), R3::SampleUniformSphere(u)};

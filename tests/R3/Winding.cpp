@@ -39,7 +39,7 @@ bool IsClosed(const std::vector<Triangle>& triangles) {
   return std::ranges::all_of(sides, [&](const auto& side) { return sides.contains({side.second, side.first}); });
 }
 
-TEST(Winding, ASmoothMeshInsideOutBecomesTheMeshThatItWas) {
+TEST(Winding, ASmoothMeshInsideOutIsTurnedBack) {
   const R3::MeshData right = Ball();
   R3::MeshData mirrored = right;
   for (Triangle& t : mirrored.triangles) Turn(t);
@@ -79,7 +79,7 @@ TEST(Winding, EachPartThatIsWoundAlikeDecidesForItself) {
 
 // In creases blended normals point behind some triangles of good models. Turned around, they would be holes for what
 // counts how often a ray of light enters and leaves.
-TEST(Winding, NormalsThatPointBehindATriangleOfAClosedSurfaceDoNotOpenIt) {
+TEST(Winding, BackwardNormalsDoNotOpenAClosedSurface) {
   for (const bool is_mirrored : {false, true}) {
     R3::MeshData data = Ball();
     for (const std::uint32_t corner : data.triangles[40]) data.normals[corner] = -data.normals[corner];
@@ -139,7 +139,7 @@ TEST(Winding, SizesBeyondTheRangeOfSquaresAreJudgedAlike) {
   }
 }
 
-TEST(Winding, TheFirstTurnedTriangleIsKnownByItsLineThoughOthersAreDropped) {
+TEST(Winding, DroppedTrianglesDoNotShiftTheFirstTurnedLine) {
   R3::MeshData data = Ball();
   data.triangles.insert(data.triangles.begin(), {0, 0, 1});
   for (std::uint32_t i = 0; i < data.triangles.size(); ++i) data.lines.push_back(100 + i);

@@ -123,7 +123,7 @@ TEST(Accelerators, AgreeAtTheEndsOfTheRangeOfNumbers) {
   }
 }
 
-TEST(Extremes, C5_RaysInThePlanesWhereStructuresDivideHitWhatTheyHitWithoutThem) {
+TEST(Extremes, C5_AcceleratorsAgreeOnRaysInSplittingPlanes) {
   // A lattice of unit boxes made of triangles and shapes: grids, octrees and boxes divide it along whole numbers.
   Draw draw(960);
   ray::Scene scene;
@@ -171,7 +171,7 @@ TEST(Extremes, C6_BadRaysHitNothingAndAreCounted) {
   }
 }
 
-TEST(Extremes, C6_BadRaysAmongOthersHitNothingAndTheOthersHitWhatTheyHitAlone) {
+TEST(Extremes, C6_BadRaysHitNothingAndDisturbNoOthers) {
   ray::Scene scene;
   scene.root.children.push_back(Leaf(std::make_shared<R3::Mesh>(accelerators::BumpyBall(8, 6))));
   scene.root.children.push_back(Leaf(R3::MakeShape("plane", {0, -3, 0, 0, 1, 0})));  // which no box holds
@@ -209,7 +209,7 @@ TEST(Extremes, C6_BadRaysAmongOthersHitNothingAndTheOthersHitWhatTheyHitAlone) {
   }
 }
 
-TEST(Extremes, C9_ScenesWithoutExtentOnOneTwoOrAllAxesLookAlikeToEveryAccelerator) {
+TEST(Extremes, C9_AcceleratorsAgreeOnScenesFlatAlongAnyAxes) {
   Draw draw(970);
   for (int flat = 1; flat < 8; ++flat) {
     ray::Scene scene;
@@ -230,7 +230,7 @@ TEST(Extremes, C9_ScenesWithoutExtentOnOneTwoOrAllAxesLookAlikeToEveryAccelerato
   }
 }
 
-TEST(Extremes, C8_C10_ATinyMeshInAHugeOneIsFoundByEveryAccelerator) {
+TEST(Extremes, C8_C10_AcceleratorsFindATinyMeshInAHugeOne) {
   Draw draw(980);
   ray::Scene scene;
   R3::Matrix huge, tiny;
@@ -256,7 +256,7 @@ TEST(Extremes, C8_C10_ATinyMeshInAHugeOneIsFoundByEveryAccelerator) {
   }
 }
 
-TEST(Extremes, A11_TheSameMeshManyTimesEqualsItsCopiesAndIsStoredOnce) {
+TEST(Extremes, A11_InstancesEqualCopiesButShareOneMesh) {
   Draw draw(990);
   const auto mesh = std::make_shared<R3::Mesh>(accelerators::BumpyBall(12, 8));
   const auto scene_of = [&](bool is_shared, int count) {
@@ -317,7 +317,7 @@ TEST(Extremes, D7_AmongThingsInTheSamePlaceTheFirstWins) {
   Compare(world, accelerators::RaysAt(world, draw, 30), EveryWay());
 }
 
-TEST(Extremes, D7_H2_AMillionOfAlmostTheSameBuildInBoundedTimeAndMemory) {
+TEST(Extremes, D7_H2_AMillionNearDuplicatesBuildInBoundedTimeAndMemory) {
   const int count = Count(100'000, 1'000'000);
   ray::Scene scene;
   // One box for all, as structures of floats see them; no two are the same.
@@ -340,7 +340,7 @@ TEST(Extremes, D7_H2_AMillionOfAlmostTheSameBuildInBoundedTimeAndMemory) {
 }
 
 // Ten million triangles by night.
-TEST(Extremes, D10_AMeshOfAnySizeTakesBoundedMemoryAndIsHit) {
+TEST(Extremes, D10_AHugeMeshTakesBoundedMemoryAndIsHit) {
   const int sides = Count(400, 2240);
   ray::Scene scene;
   auto mesh = std::make_shared<const R3::Mesh>(accelerators::BumpyBall(sides, sides));

@@ -68,11 +68,11 @@ int CheckAll(const Paths& files) {
   return scenes;
 }
 
-TEST(CourseScenes, OfOurOwnAreOnePictureFromEveryAcceleratorThreadAndTile) {
+TEST(CourseScenes, OursAreBitIdenticalForAnyAcceleratorThreadsAndTiles) {
   EXPECT_GE(CheckAll(CourseScenesBelow(project::Root() / "scenes")), 15);
 }
 
-TEST(CourseScenes, OfTheCoursesAreOnePictureFromEveryAcceleratorThreadAndTile) {
+TEST(CourseScenes, TheirsAreBitIdenticalForAnyAcceleratorThreadsAndTiles) {
   if (!std::filesystem::exists(project::Shared() / "scenes-cs315")) GTEST_SKIP() << "needs ../shared";
   EXPECT_GE(CheckAll(CourseScenesBelow(project::Shared() / "scenes-groningen")), 15);
   EXPECT_GE(CheckAll(CourseScenesBelow(project::Shared() / "scenes-cs315")), 9);

@@ -81,7 +81,7 @@ TEST(Extremes, J1_ThreadsAndTilesNeverChangeABitWithEverythingOn) {
 }
 
 // What an error decides is decided on the sums of samples, which no thread and no tile can change.
-TEST(Extremes, J1_ARenderThatItsErrorEndsIsTheSameOnAnyThreadsAndTiles) {
+TEST(Extremes, J1_ThreadsAndTilesDoNotChangeRendersToAnError) {
   const project::Stage stage = EverythingAtOnce();
   RenderSettings settings = Everything("path", "gaussian");
   settings.samples = 1;
@@ -100,7 +100,7 @@ TEST(Extremes, J1_ARenderThatItsErrorEndsIsTheSameOnAnyThreadsAndTiles) {
 }
 
 // The first samples of an error's two streams once were sixteen, however little time there was.
-TEST(Effects, ATimeLimitEndsARenderThatAlsoHasAnErrorToReachWhereverItIs) {
+TEST(Effects, ATimeLimitPromptlyEndsRendersToAnError) {
   const project::Stage stage = EverythingAtOnce();
   RenderSettings settings = Everything("path", "box");
   settings.samples = 1;
@@ -128,7 +128,7 @@ void ExpectPart(const R2::Image& part, const PixelRectangle& crop, const R2::Ima
       ASSERT_EQ(part.At(x - crop.x0, y - crop.y0), whole.At(x, y)) << what << ' ' << x << ' ' << y;
 }
 
-TEST(Extremes, G6_CropsHoldThePixelsOfTheWholeUnderEveryFilterWithEverythingOn) {
+TEST(Extremes, G6_CropsMatchTheWholeUnderEveryFilter) {
   const project::Stage stage = EverythingAtOnce();
   for (const char* filter : ray::filter_names)
     for (const char* mode : {"path", "whitted", "normal"}) {
@@ -180,7 +180,7 @@ TEST(Effects, StatedWithoutEffectTheyChangeNoBit) {
 }
 
 // Blocks of like pixels take one sample, and whether they are alike is seen in whole blocks and their neighbors.
-TEST(Extremes, G6_CropsHoldThePixelsOfTheWholeWhereNeighborsDecideAboutSamples) {
+TEST(Extremes, G6_CropsMatchTheWholeWithAdaptiveNeighbors) {
   const project::Stage stage = EverythingAtOnce();
   for (const char* filter : ray::filter_names) {
     RenderSettings settings = Everything("whitted", filter);
@@ -199,7 +199,7 @@ TEST(Extremes, G6_CropsHoldThePixelsOfTheWholeWhereNeighborsDecideAboutSamples) 
 }
 
 // A target is that of the crop, and so are the samples that it takes: docs/accuracy.md says so.
-TEST(Extremes, G6_ACropToAnErrorTakesSamplesByItsOwnError) {
+TEST(Extremes, G6_AnErrorTargetAppliesToTheCropAlone) {
   const project::Stage stage(project::FromText(
       "camera 0 2 6  0 -.3 -1  0 1 0  .5  .1 100 background .2 .3 .4 area_light 1 1 1  0 4 1  0 -1 0  1  1 0 0 "
       "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1 1 0 box 0  -4 -.1 -4  4 0 4 sphere 0  0 .8 0  .8"));

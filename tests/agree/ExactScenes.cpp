@@ -8,7 +8,7 @@
 
 namespace {
 
-TEST(ExactScenes, RaysHitWhatTheyShouldInRandomScenesOfEveryShape) {
+TEST(ExactScenes, RandomScenesAreHitAsExactArithmeticSays) {
   for (const double powers : {0.0, 1.0, 2.0})
     for (int seed = 0; seed < Count(10, 1000); ++seed) {
       Draw draw(static_cast<std::uint64_t>(seed) + 1300);

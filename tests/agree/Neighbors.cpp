@@ -37,7 +37,7 @@ double ShareOff(const R2::Image& a, const R2::Image& b) {
   return off / double{side * side};
 }
 
-TEST(AdaptiveNeighbors, IsAtMostALevelOffInAllButAThousandthOfThePixelsAndSavesRays) {
+TEST(AdaptiveNeighbors, SavesRaysAndChangesFewPixelsVisibly) {
   for (const char* name :
        {"first.scn", "texture.scn", "specular.scn", "torus.scn", "refraction.scn", "transform.scn", "mirrors.json"})
     for (const auto sampler : {ray::SamplerKind::rotated_grid, ray::SamplerKind::sobol}) {
@@ -53,7 +53,7 @@ TEST(AdaptiveNeighbors, IsAtMostALevelOffInAllButAThousandthOfThePixelsAndSavesR
     }
 }
 
-TEST(AdaptiveNeighbors, TakesAllSamplesOfABlockWhoseNeighborAloneHasTheEdge) {
+TEST(AdaptiveNeighbors, FullySamplesBlocksOnBothSidesOfAnEdge) {
   // White from the middle on to the right, where a block of 8 x 8 begins: the black block beside it differs from it.
   const project::Stage stage(
       project::FromText("camera 0 0 1  0 0 -1  0 1 0  .7853981633974483  .01 100 background 0 0 0 ambient 1 1 1 "

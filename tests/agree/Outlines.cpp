@@ -53,7 +53,7 @@ R3::Matrix Squeezed(Draw& draw, double powers) {
   return m;
 }
 
-TEST(Outlines, OfAnyShapesTurnedAndSqueezedAreTheSameForEveryAccelerator) {
+TEST(Outlines, OfTransformedShapesAgreeForEveryAccelerator) {
   const auto ways = EveryWay();
   const auto kinds = BoundedShapeKinds();
   for (int seed = 0; seed < Count(24, 4000); ++seed) {

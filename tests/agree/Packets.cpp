@@ -21,7 +21,7 @@ ray::Scene SceneOf(const R3::MeshData& data) {
   return scene;
 }
 
-TEST(Packets, AgreeInRandomScenesWhetherTheyGoTheSameWayOrNot) {
+TEST(Packets, AgreeInRandomScenesWhetherCoherentOrNot) {
   const auto ways = EveryWay();
   for (const double powers : {0.0, 3.0})
     for (int seed = 0; seed < Count(6, 1000); ++seed) {

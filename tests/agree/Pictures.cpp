@@ -79,7 +79,7 @@ TEST(Pictures, OfHeatDependOnTheAcceleratorAndOnNothingElse) {
   EXPECT_FALSE(project::Render(stage, settings, {"none"}).image == bvh.image);
 }
 
-TEST(Pictures, OfRayCountsAreTheSameForAllAcceleratorsAndShowWhatThePixelTook) {
+TEST(Pictures, OfRayCountsAreRightForEveryAccelerator) {
   // One light without size: a pixel of the sphere takes its own ray and a shadow ray, one beside it only its own.
   const project::Stage stage(
       project::FromText("camera 0 0 5  0 0 -1  0 1 0  0.3  0.01 100\npoint_light 1 1 1  0 0 5  1 0 0\n"

@@ -106,7 +106,7 @@ TEST(Projections, ALatlongPictureOfAnEnvironmentIsItsMap) {
   EXPECT_TRUE(image == map);
 }
 
-TEST(Projections, OutsideOfAFisheyesCircleThePictureIsBlackWithoutARay) {
+TEST(Projections, NoRaysAreTracedOutsideAFisheyesCircle) {
   const project::Stage stage = RoomWith("projection fisheye 200");
   const int side = 90;
   const RenderResult result = project::Render(stage, Settings(side, side));
@@ -170,7 +170,7 @@ TEST(Projections, ACropHasThePixelsOfTheWhole) {
   }
 }
 
-TEST(Projections, EveryModeHasThemAndThePixelsRaysAreItsPicture) {
+TEST(Projections, TracedPixelsMatchTheImageInEveryMode) {
   for (const std::string& projection : Projections()) {
     const project::Stage stage = RoomWith(projection);
     const auto accelerator = FindAcceleratorKind("bvh")->Make(stage.world, {});
@@ -188,7 +188,7 @@ TEST(Projections, EveryModeHasThemAndThePixelsRaysAreItsPicture) {
   }
 }
 
-TEST(Projections, TheTreeOfAPixelSaysWhichSamplesHaveNoRay) {
+TEST(Projections, TheRayTreeNamesSamplesWithoutARay) {
   const project::Stage stage = RoomWith("projection fisheye 200");
   const auto accelerator = FindAcceleratorKind("bvh")->Make(stage.world, {});
   const std::string corner = DebugPixel(stage.world, *accelerator, Settings(40, 40, 4), 0, 0);

@@ -47,7 +47,7 @@ struct Statement {
   std::string stated, plain;
 };
 
-TEST(UnusedFeatures, AScenesStatementsWithoutEffectChangeNoNeedNoKernelAndNoBit) {
+TEST(UnusedFeatures, StatementsWithoutEffectChangeNeitherKernelsNorBits) {
   const std::string plain = Scene(diffuse, "", area_light);
   const std::string point = Scene(diffuse, "", "point_light 3 3 3  0 4 2  0 0 0.2");
   const Statement statements[] = {
@@ -83,7 +83,7 @@ TEST(UnusedFeatures, ABlackEnvironmentIsNone) {
   }
 }
 
-TEST(UnusedFeatures, AnAreaLightWithoutAreaIsSampledOnceHoweverManyShadowRaysAreAskedFor) {
+TEST(UnusedFeatures, AnAreaLightWithoutAreaTakesOneShadowRay) {
   const project::Stage stage(project::FromText(Scene(diffuse, "", "area_light 3 3 3  0 4 2  0 -1 -0.3  0  0 0 0.2")));
   const auto needs = ray::FeaturesOf(stage.world, Small("whitted"));
   EXPECT_TRUE(needs.lights);
@@ -96,7 +96,7 @@ TEST(UnusedFeatures, AnAreaLightWithoutAreaIsSampledOnceHoweverManyShadowRaysAre
   }
 }
 
-TEST(UnusedFeatures, OptionsWithoutEffectChangeNoNeedNoKernelAndNoBit) {
+TEST(UnusedFeatures, OptionsWithoutEffectChangeNeitherKernelsNorBits) {
   struct Change {
     const char* what;
     void (*make)(ray::RenderSettings&);

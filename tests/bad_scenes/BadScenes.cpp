@@ -70,7 +70,7 @@ std::size_t CheckReports(const std::filesystem::path& folder, const std::string&
   return count;
 }
 
-TEST(BadScenes, EachIsReportedWordForWordAsItsFirstCommentSays) {
+TEST(BadScenes, EachIsReportedAsItsFirstCommentSays) {
   EXPECT_GE(CheckReports(ProjectRoot() / "tests/bad_scenes", ".scn"), 100u);
 }
 

@@ -35,7 +35,7 @@ std::vector<std::filesystem::path> BadScenesOfComp30019() {
   return scenes;
 }
 
-TEST(Comp30019BadScenes, EachIsReportedWordForWordAsTheFileBesideItSays) {
+TEST(Comp30019BadScenes, EachIsReportedAsTheFileBesideItSays) {
   const auto scenes = BadScenesOfComp30019();
   for (const auto& scene : scenes) {
     auto expected = scene;

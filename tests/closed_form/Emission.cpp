@@ -55,7 +55,7 @@ double FloorUnderSphere(const R3::Point& center, double radius) {
   return kd * emission * radius * radius / (d * d) * (center.y / d);
 }
 
-TEST(Emission, InsideAnEmissiveDiffuseSolidTheSumOverAllBouncesIsSeen) {
+TEST(Emission, TheInsideOfAnEmissiveSolidShowsAllBounces) {
   // e + kd e + kd^2 e + ... = 1 / (1 - 0.5).
   for (const char* shape : {"sphere 2  0 0 0  1", "box 2  -1 -1 -1  1 1 1", "cylinder 2  0 0 0  1 2",
                             "cone 2  0 0 -0.3  2 4", "torus 2  0 0 0  4 3.9"})
@@ -93,7 +93,7 @@ TEST(Emission, OneShapeInTwoGroupsIsTwoLamps) {
                FloorUnderSphere({1, 2, 0.5}, 0.8) + FloorUnderSphere({-2, 3, 0}, 0.8), 1e-6, strategy);
 }
 
-TEST(Emission, ASphereOfAMillionthOrAMillionIsALampAsAnyOther) {
+TEST(Emission, TinyAndHugeSpheresLightLikeAnyOther) {
   const std::string tiny = "material 0 0 0  0 0 0  0 0 0  0 0 0  3e12 3e12 3e12  10 1 0 sphere 3  1 2 0.5  1e-6";
   ExpectMean(Shown(floor_seen + tiny, PathSettings()), FloorUnderSphere({1, 2, 0.5}, 1), 1e-6, "tiny");
   for (const char* strategy : strategies)
@@ -158,7 +158,7 @@ std::vector<Solid> ConvexSolids() {
           {"cone 1  0 0 0  0.6 1.2", Turned(0.6, 0, 0.6)}};
 }
 
-TEST(Emission, EverySolidLightsAFloorAsTheIntegralOverItsSurfaceSays) {
+TEST(Emission, EverySolidLightsAFloorAsItsSurfaceIntegralSays) {
   const R3::Matrix above{{{{1, 0, 0, 0.8}, {0, 1, 0, 1.5}, {0, 0, 1, -0.6}}}};
   for (const Solid& solid : ConvexSolids())
     for (const char* strategy : strategies)
@@ -229,7 +229,7 @@ TEST(Emission, AConvexLampDoesNotLightItsOwnOutside) {
     }
 }
 
-TEST(Emission, TwoLampsThatTouchLightEachOtherAlikeByEveryStrategy) {
+TEST(Emission, TouchingLampsLightEachOtherAlikeByEveryStrategy) {
   // Seen 3 degrees beside the place where they touch.
   const std::string scene =
       "camera 1 5 0  -0.00137 -4.94766 0  0 0 1  1e-6  0.01 100 " + materials + "sphere 2  0 0 0  1 sphere 2  2 0 0  1";
@@ -245,7 +245,7 @@ TEST(Emission, TwoLampsThatTouchLightEachOtherAlikeByEveryStrategy) {
   }
 }
 
-TEST(Emission, UnderAnEmissivePlaneWithoutEndAFloorShowsItsAlbedoTimesTheEmission) {
+TEST(Emission, AFloorUnderAnInfiniteLampShowsAlbedoTimesEmission) {
   for (const char* strategy : strategies)
     EXPECT_NEAR(Shown(floor_seen + "plane 1  0 3 0  0 -1 0", PathSettings(strategy)).mean, kd * emission, 1e-6)
         << strategy;
@@ -267,7 +267,7 @@ class Opaque : public R3::Shape {
   std::shared_ptr<const R3::Shape> shape_;
 };
 
-TEST(Emission, WhatCannotBeSampledIsFoundByScatteringAndCountsInFull) {
+TEST(Emission, LampsThatCannotBeSampledCountInFull) {
   for (const char* strategy : strategies) {
     ray::Scene scene = project::FromText(floor_seen + "sphere 1  1 2 0.5  0.8");
     auto& shape = scene.root.children.back().shape;
@@ -278,7 +278,7 @@ TEST(Emission, WhatCannotBeSampledIsFoundByScatteringAndCountsInFull) {
   }
 }
 
-TEST(Emission, InModeWhittedSolidsLightLikeTrianglesWhereThatIsAskedForAndElseNothing) {
+TEST(Emission, SolidsLightInModeWhittedOnlyOnRequest) {
   // Each point of the lamp shines like a point light of its emission without fall-off.
   ray::RenderSettings settings = PathSettings();
   settings.mode = ray::RenderMode::whitted;
@@ -303,7 +303,7 @@ ray::RenderSettings ColorSettings(const char* strategy, int lights) {
   return settings;
 }
 
-TEST(Emission, OfAColorLightsByItsFullColorInModePathTooWhateverTheSizeAndDistance) {
+TEST(Emission, OfAColorIsIndependentOfSizeAndDistance) {
   for (const char* strategy : {"mis", "bsdf"})
     for (const int lights : {0, 1})
       for (const std::string shape : {"sphere 1  0 2 0  1e-4", "box 1  -1e-4 2 -1e-4  1e-4 2.0001 1e-4",
@@ -318,7 +318,7 @@ TEST(Emission, OfAColorLightsByItsFullColorInModePathTooWhateverTheSizeAndDistan
       }
 }
 
-TEST(Emission, OfAColorIsFoundOnceThoughScatteredRaysMeetTheLamp) {
+TEST(Emission, OfAColorIsCountedOnceDespiteScatteredRays) {
   // The mean cosine over a cone of directions with a half angle a is (1 + cos a) / 2.
   const double cosine = std::sqrt(1 - 0.8 * 0.8 / 4);
   for (const char* strategy : strategies)
@@ -355,7 +355,7 @@ TEST(Emission, OfAColorIsShownByMirrorsAndThroughGlass) {
   }
 }
 
-TEST(Emission, OfAColorIsInNoBlurredMirrorBeyondTheLastBounce) {
+TEST(Emission, OfAColorSkipsBlurredMirrorsBeyondTheLastBounce) {
   const std::string scene =
       "camera 0 0 5  0 0 -1  0 1 0  0.01  0.01 100 background 0.1 0.1 0.1 " + materials +
       "material 0 0 0  0 0 0  0 0 0  0 0 0  0 0 0  1 1 0 mirror 3  0.5 0.5 0.5 gloss 3  50 1 "

@@ -12,7 +12,7 @@ namespace {
 
 bool IsLit(const R2::Color& c) { return Luminance(c) > 0; }
 
-TEST(Trap, A_UnitSphereSeenByTheDefaultCameraFillsSeventySevenPercentOfTheWidth) {
+TEST(Trap, AUnitSphereFills77PercentOfTheWidth) {
   ray::RenderSettings settings;
   settings.width = 2000;
   settings.height = 1;
@@ -141,7 +141,7 @@ TEST(Extremes, G8_AnEmptySceneIsItsBackground) {
   }
 }
 
-TEST(Extremes, F6_MirrorsThatSplitTheLightStopAtTheStatedNumberOfDescendants) {
+TEST(Extremes, F6_BranchingRaysStopAtTheDescendantLimit) {
   // Each hit both reflects and transmits with weight 1: without a limit 2^depth rays. The spheres are of two materials,
   // since a surface with one on both sides is not there for rays.
   ray::RenderSettings settings;
@@ -160,7 +160,7 @@ TEST(Extremes, F6_MirrorsThatSplitTheLightStopAtTheStatedNumberOfDescendants) {
 }
 
 // A count of surfaces would be a thousand times too small here, and the user is told how many rays are missing.
-TEST(Extremes, F6_EveryRayThatIsNotFollowedForItsManyRelativesIsCounted) {
+TEST(Extremes, F6_EveryRayCutByTheLimitIsCounted) {
   ray::RenderSettings settings;
   settings.width = settings.height = 1;
   settings.trace.max_depth = 2;

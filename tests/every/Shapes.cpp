@@ -67,7 +67,7 @@ TEST(EveryShape, IsNeverHitOutsideItsBounds) {
   });
 }
 
-TEST(EveryShape, ReportsAPositionOnTheRayAsFarAsRoundingAllows) {
+TEST(EveryShape, ReportsPositionsOnTheRayWithinRounding) {
   ForManyHits(702, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
     // 32 u (D + size) is what Shape::Intersect promises; the position is pushed at most that far back to the surface.
     const R3::Box box = Bounds(*s.shape);
@@ -79,7 +79,7 @@ TEST(EveryShape, ReportsAPositionOnTheRayAsFarAsRoundingAllows) {
   });
 }
 
-TEST(EveryShape, HasUnitNormalsThatFaceOutwardOnTheWayInAndOnTheWayOut) {
+TEST(EveryShape, HasUnitNormalsThatFaceOutward) {
   ForManyHits(703, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
     const auto at = s.shape->At(ray, hit, 0);
     EXPECT_NEAR(Length(AsVector(at.normal)), 1, 4 * R3::unit_roundoff) << s.name;
@@ -370,7 +370,7 @@ TEST(EveryShape, OfNoSizeIsDrawnWithNothing) {
   }
 }
 
-TEST(EveryShape, ThatIsABoxWithoutHeightIsDrawnAsItsTwoFaces) {
+TEST(EveryShape, ThatIsAFlatBoxIsDrawnAsTwoFaces) {
   const auto sheet = R3::MakeShape("box", {0, 1, 0, 2, 1, 3});
   for (const Facet& facet : Facets(sheet->Tessellate(8))) EXPECT_EQ(std::abs(facet.front.y), 1);
   EXPECT_EQ(sheet->Tessellate(8).triangles.size(), 2u * 2 * 2 * 2);
@@ -399,7 +399,7 @@ TEST(TextureCoordinates, OfASphereHaveTheirPolesOnZ) {
   EXPECT_NEAR(At(*sphere, {0, 0, -1}, {0, 0, -1}).y, 0, 1e-7);
 }
 
-TEST(TextureCoordinates, OfCylinderAndConeRunUpTheSideAndAcrossTheEnds) {
+TEST(TextureCoordinates, OfConesAndCylindersRunUpSidesAndAcrossEnds) {
   const auto cylinder = R3::MakeShape("cylinder", {0, 0, 0, 1, 2}), cone = R3::MakeShape("cone", {0, 0, 0, 1, 2});
   ExpectUv(At(*cylinder, {0, 0, -1}, {0, 0, -1}), 0, 0.5);
   ExpectUv(At(*cylinder, {1, 0.5, 0}, {1, 0, 0}), 0.25, 0.75);
@@ -422,7 +422,7 @@ TEST(TextureCoordinates, OfABoxFollowTheFaceTable) {
   ExpectUv(At(*box, {x, y, 1}, {0, 0, 1}), x, y);
 }
 
-TEST(TextureCoordinates, OfATriangleAreZeroOneAndOneAtItsCorners) {
+TEST(TextureCoordinates, OfATriangleAreItsBarycentricCoordinates) {
   const auto tri = R3::MakeShape("tri", {0, 0, 0, 4, 0, 0, 0, 2, 0});
   ExpectUv(At(*tri, {1, 0.5, 0}, {0, 0, 1}), 0.25, 0.25);
   ExpectUv(At(*tri, {2, 0.5, 0}, {0, 0, -1}), 0.5, 0.25);

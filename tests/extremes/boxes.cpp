@@ -73,7 +73,7 @@ TEST(Extremes, B7_ABoxWithoutThicknessIsARectangle) {
   EXPECT_FALSE(flat->Intersect({{1.5, 3, 0.5}, {0, -1, 0}}, 0));
 }
 
-TEST(Extremes, B7_ABoxFlatAlongTwoOrThreeAxesIsNeverHitAndNeverCrashes) {
+TEST(Extremes, B7_BoxesThatAreLinesOrPointsAreNeverHit) {
   const auto line = R3::MakeShape("box", {-1, 0, 0, 1, 0, 0}), point = R3::MakeShape("box", {1, 2, 3, 1, 2, 3});
   Draw draw(303);
   for (int i = 0; i < 1000; ++i) {
@@ -108,7 +108,7 @@ bool Touches(const R3::Box& box, const R3::Ray& ray) {
   return enter <= leave;
 }
 
-TEST(Extremes, C3_RaysAtCornersEdgesAndFacesOfBoxesAroundTrianglesAreNeverLost) {
+TEST(Extremes, C3_RaysThatTouchABoundingBoxAreNeverLost) {
   Draw draw(303);
   int touching = 0;
   for (int n = 0, count = Count(300'000, 100'000'000); n < count; ++n) {

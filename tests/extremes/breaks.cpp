@@ -28,7 +28,7 @@ bool HasCommand(const std::string& command) {
   return std::system(("command -v " + command + " >/dev/null").c_str()) == 0;
 }
 
-TEST(Extremes, L1_J3_BrokenOffAgainAndAgainARenderEndsAsOneThatWasNot) {
+TEST(Extremes, L1_J3_RepeatedInterruptionsDoNotChangeTheImage) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place(lit_scene);
   const std::string picture = place / "out.pfm";
@@ -149,7 +149,7 @@ class PowerLoss {
   std::map<std::string, int> newest_;
 };
 
-TEST(Extremes, L1_ARenameBeforeItsBytesOrAnEndBeforeItsFolderAreSyncedWouldBeFound) {
+TEST(Extremes, L1_ThePowerLossModelCatchesMissingOrLateSyncs) {
   const auto read = [](const std::vector<std::string>& calls) {
     PowerLoss disk("/f/out");
     for (const std::string& call : calls) disk.Read(call);
@@ -167,7 +167,7 @@ TEST(Extremes, L1_ARenameBeforeItsBytesOrAnEndBeforeItsFolderAreSyncedWouldBeFou
   EXPECT_FALSE(read({"unlink(\"/f/out\") = 0"}).IsWhole("/f/out", false));
 }
 
-TEST(Extremes, L1_APowerFailureAfterAnyCallLeavesWholeFilesAndNoWorkLost) {
+TEST(Extremes, L1_APowerFailureLeavesWholeFilesAndLosesNoWork) {
   NEEDS_THE_PROGRAM();
   if (!HasCommand("strace")) GTEST_SKIP() << "there is no strace here";
   const SceneFolder place(lit_scene);
@@ -200,7 +200,7 @@ TEST(Extremes, L1_APowerFailureAfterAnyCallLeavesWholeFilesAndNoWorkLost) {
 }
 
 #ifdef __GLIBC__
-TEST(Extremes, L7_WhicheverAllocationOfTheProgramFailsItEndsWithAStatusAndAWholePicture) {
+TEST(Extremes, L7_AnyFailedAllocationLeavesAWholeImageAndAStatus) {
   NEEDS_THE_PROGRAM();
   NEEDS_NO_SANITIZER("no library of ours can make allocations fail");
   const SceneFolder place(lit_scene);

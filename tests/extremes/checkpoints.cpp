@@ -137,7 +137,7 @@ TEST_F(Checkpoints, L9_WithOneBitChangedAreRefused) {
   }
 }
 
-TEST_F(Checkpoints, L9_OfAnotherPictureAreRefusedAndTheMessageSaysInWhat) {
+TEST_F(Checkpoints, L9_OfAnotherImageAreRefusedNamingTheDifference) {
   try {
     ray::DecodedState(bytes_, "version 1\nscene abc\n-seed 7\n", film_);
     FAIL();

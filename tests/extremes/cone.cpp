@@ -64,7 +64,7 @@ TEST(Extremes, B5_NeedlesAndPlatesAreHitOnTheirSurfaceFromAnywhere) {
     }
 }
 
-TEST(Extremes, B5_RaysThroughTheApexAlongTheAxisAndAlongAGeneratorStayOnTheRightCone) {
+TEST(Extremes, B5_RaysThroughTheApexStayOnTheRightCone) {
   Draw draw(502);
   for (const Cone& cone : Cones()) {
     const R3::Point apex{0, cone.height / 2, 0};

@@ -32,7 +32,7 @@ DiscCrossing PlaneCrossing(const R3::Ray& ray, const std::vector<double>& disc) 
   return {t, std::sqrt(square)};
 }
 
-TEST(Disc, IsHitWhereTheFormulaSaysFromNearAndAMillionRadiiAway) {
+TEST(Disc, IsHitWhereTheFormulaSaysNearAndFar) {
   Draw draw(271);
   for (int i = 0; i < 20'000; ++i) {
     const R3::Vector n = draw.Scale(-3, 3) * draw.Direction();
@@ -80,7 +80,7 @@ TEST(Disc, BoundsTouchIt) {
 }
 
 // Straight above its middle, a disc fills the cone of half angle atan(r / h): E = pi r^2 / (r^2 + h^2) of radiance 1.
-TEST(Disc, PlacesDrawnOnItGiveTheIrradianceOfTheClosedForm) {
+TEST(Disc, SamplesGiveTheIrradianceOfTheClosedForm) {
   const auto disc = R3::MakeShape("disc", {0, 0, 0, 0, 0, 1, 2});
   for (const double h : {0.5, 2.0, 10.0}) {
     const R3::Point below{0, 0, -h};

@@ -65,7 +65,7 @@ R2::Image Picture(const char* accelerator, ray::RenderMode mode) {
   return project::Render(stage, settings, {accelerator}).image;
 }
 
-TEST(Extremes, L7_WhicheverAllocationFailsIsAnErrorAndNothingIsLeftBehind) {
+TEST(Extremes, L7_AnyFailedAllocationIsAnErrorWithoutLeaks) {
   // The library of threads keeps what it allocates in its first run.
   for (const char* accelerator : {"graph", "grid", "octree", "bvh"})
     for (const auto mode : {ray::RenderMode::whitted, ray::RenderMode::path}) {

@@ -67,7 +67,7 @@ TEST(Extremes, I1_AFurnaceThatIsAlsoALightIsAsWhite) {
     }
 }
 
-TEST(Extremes, I1_TheCoursesModeIsWhiteOnAMatteBallAndInGlassCoatedOrNot) {
+TEST(Extremes, I1_MatteAndGlassBallsAreWhiteInModeWhitted) {
   const std::string camera = "camera 0 0 6 0 0 -1 0 1 0 0.1 0.01 100";
   RenderSettings settings = Whitted(32, 64);
   settings.trace.shadow_samples = 4;
@@ -104,7 +104,7 @@ double LobeAboveSurface(double n, double angle) {
 }
 
 // The part of the lobe that points into the surface is lost by design; the rest is all there.
-TEST(Extremes, I1_AGlossyPlaneKeepsThePartOfItsLobeThatIsAboveIt) {
+TEST(Extremes, I1_AGlossyPlaneKeepsTheLobeAboveIt) {
   for (const double n : {1.0, 10.0, 100.0, 1e4})
     for (const double angle : {0.0, 0.5, 1.2, 1.5})
       for (const char* mode : {"whitted", "path"}) {

@@ -49,7 +49,7 @@ TEST(Extremes, A5_ASqueezeIsSilentThenWarnedOfThenLeftOut) {
     }
 }
 
-TEST(Extremes, B10_ASphereOfNoSizeIsNeverHitAndOneBelowIsRefused) {
+TEST(Extremes, B10_ZeroSizeSpheresAreMissedAndNegativeOnesRefused) {
   const TemporaryFolder folder;
   for (const char* radius : {"0", "-0", "1e-300"}) {
     const ParsedScene parsed = ParsedFrom(folder, std::string("sphere -1 0 0 0 ") + radius + "\n");
@@ -74,7 +74,7 @@ std::string Triangle(const std::string& normals, const std::string& uvs = "vt 0 
   return "v -1 -1 0\nv 1 -1 0\nv 0 1 0\n" + uvs + normals + "f 1/1/1 2/2/2 3/3/3\n";
 }
 
-TEST(Extremes, D11_NormalsThatSayNothingGiveTheFacesAndOnesThatLieNoLight) {
+TEST(Extremes, D11_ZeroNormalsUseFacesAndWrongOnesAddNoLight) {
   const TemporaryFolder folder;
   const std::string scene =
       "camera 0 0 4 0 0 -1 0 1 0 .3 .1 9\nmaterial 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0\n"
@@ -104,7 +104,7 @@ TEST(Extremes, D11_NormalsThatSayNothingGiveTheFacesAndOnesThatLieNoLight) {
   }
 }
 
-TEST(Extremes, D13_TextureCoordinatesFarAwayWrapAndOnesThatAreNoneCountAsZero) {
+TEST(Extremes, D13_HugeTextureCoordinatesWrapAndNonFiniteOnesAreZero) {
   const TemporaryFolder folder;
   fs::copy_file(project::Root() / "scenes" / "textures" / "checker.png", folder / "t.png");
   const std::string scene =
@@ -157,7 +157,7 @@ TEST(Extremes, K12_ASceneSetsNothingThatReadsWritesOrRunsAnything) {
   }
 }
 
-TEST(Extremes, K15_PicturesTooLargeForAWriterAreRefusedBeforeTheFirstRay) {
+TEST(Extremes, K15_ImagesTooLargeToWriteAreRefusedBeforeRendering) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   WriteFile(folder / "in.scn", "sphere -1 0 0 0 1\n");
@@ -176,7 +176,7 @@ TEST(Extremes, K15_PicturesTooLargeForAWriterAreRefusedBeforeTheFirstRay) {
 }
 
 // A file that shrinks while it is mapped kills who reads it.
-TEST(Extremes, L4_AFileThatShrinksOrVanishesWhileItIsReadIsAnErrorOrWhole) {
+TEST(Extremes, L4_AFileShrinkingWhileReadIsWholeOrAnError) {
   const TemporaryFolder folder;
   std::string mesh = "OFF 100000 1 0\n";
   for (int i = 0; i < 100'000; ++i) mesh += std::to_string(i) + " 1 " + std::to_string(i % 7) + "\n";

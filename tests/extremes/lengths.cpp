@@ -35,7 +35,7 @@ Ray RayAt(const Shape& shape, Draw& draw) {
   return {from, aim - from};
 }
 
-TEST(Extremes, A9_ShapesOfAnySizeAreHitWhereThoseOfOrdinarySizeAre) {
+TEST(Extremes, A9_ShapesOfAnySizeAreHitAlike) {
   for (const ShapeKind* kind : BoundedShapeKinds()) {
     const auto shape = MakeShape(kind->name, kind->example);
     for (const int exponent : {-900, -700, -520, -400, -300, -200, 200, 340, 400, 490}) {

@@ -38,7 +38,7 @@ std::array<double, 3> PlaceOf(int x, int y, int side) {
 
 // Light at the horizon of a face once lit it by the smoothed normal, up to .56 of its strength; without shadows from
 // anywhere behind.
-TEST(Extremes, E8_LightBehindASurfaceDoesNotLightItByItsSmoothedNormal) {
+TEST(Extremes, E8_SmoothNormalsLetNoLightThroughFromBehind) {
   constexpr int side = 96;
   Draw draw(88);
   int behind = 0, lit = 0;

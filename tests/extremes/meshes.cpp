@@ -67,7 +67,7 @@ void ExpectNoLeaks(const R3::Mesh& mesh, const R3::Matrix& matrix, Draw& draw, i
   }
 }
 
-TEST(Extremes, D1_D2_NoRayLeavesAClosedMeshThroughAnEdgeOrACorner) {
+TEST(Extremes, D1_D2_NoRayLeavesAMeshThroughEdgesOrCorners) {
   const R3::Matrix identity;
   Draw draw(401);
   const R3::Mesh coarse(BumpyBall(12, 8));
@@ -76,7 +76,7 @@ TEST(Extremes, D1_D2_NoRayLeavesAClosedMeshThroughAnEdgeOrACorner) {
   ExpectNoLeaks(fine_poles, identity, draw, Count(6'000, 1'000'000));
 }
 
-TEST(Extremes, D3_NoRayLeavesAMeshThatIsFarTinyHugeSqueezedOrSlanted) {
+TEST(Extremes, D3_NoRayLeavesAMeshUnderExtremeTransforms) {
   Draw draw(402);
   for (const R3::Matrix& m : HardPlacements(draw))
     ExpectNoLeaks(R3::Mesh(Moved(BumpyBall(12, 8), m)), m, draw, Count(4'000, 1'000'000));
@@ -108,7 +108,7 @@ TEST(Extremes, D5_TrianglesWithoutAreaAreDroppedAndTheirNeighborsStayClosed) {
   }
 }
 
-TEST(Mesh, BlendsTheFilesNormalsOnlyWhenAskedAndKeepsTheFacesWhereTheyAreMissing) {
+TEST(Mesh, BlendsNormalsOnlyWhenAskedAndPresent) {
   R3::MeshData data;
   data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   data.triangles = {{0, 1, 2}};

@@ -157,7 +157,7 @@ void CheckLight(const R2::Image& image, const R2::Color& most, const std::string
     }
 }
 
-TEST(RandomScenes, GiveOneFinitePictureWithNoMoreLightThanThereIs) {
+TEST(RandomScenes, GiveOneFiniteImageThatGainsNoLight) {
   ForEachScene(150, {}, [&](const project::Stage& stage, std::uint64_t seed) {
     Draw draw(seed);
     RenderSettings s = RandomSettings(draw);
@@ -253,7 +253,7 @@ std::vector<ray::CameraSample> SamplesOf(const project::Stage& stage, const Rend
   return samples;
 }
 
-TEST(RandomScenes, PathsTakenTogetherAreThoseTakenOneByOneBitForBit) {
+TEST(RandomScenes, PathsTakenTogetherEqualThoseTakenAlone) {
   ForEachScene(1500, {}, [&](const project::Stage& stage, std::uint64_t seed) {
     Draw draw(seed);
     RenderSettings s = RandomSettings(draw);

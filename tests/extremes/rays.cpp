@@ -73,7 +73,7 @@ R3::Vector Away(Draw& draw, const R3::Vector& n) {
   return Unit(std::sqrt(1 - cosine * cosine) * along + cosine * n);
 }
 
-TEST(Extremes, E1_ARaySentAwayFromItsOwnHitNeverHitsItAgain) {
+TEST(Extremes, E1_SpawnedRaysNeverHitTheirOwnSurface) {
   Draw draw(601);
   for (const auto& shape : ConvexShapes()) {
     std::vector<R3::Matrix> matrices;
@@ -98,7 +98,7 @@ TEST(Extremes, E1_ARaySentAwayFromItsOwnHitNeverHitsItAgain) {
   }
 }
 
-TEST(Extremes, E2_AnOccluderAHundredThousandthAboveTheSurfaceIsNeverMissed) {
+TEST(Extremes, E2_AnOccluderJustAboveTheSurfaceIsNeverMissed) {
   Draw draw(602);
   for (const double scale : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
     Single below(R3::MakeShape("box", {-1, -1, -1, 1, 1, 1}), Uniform(scale));
@@ -136,7 +136,7 @@ TEST(Extremes, E3_AShellThinAsPaintIsEnteredAndLeft) {
   }
 }
 
-TEST(Extremes, C4_FromAPointExactlyOnASurfaceTheLeavingSideIsNotHitAndTheFarSideIs) {
+TEST(Extremes, C4_RaysFromASurfaceHitOnlyItsFarSide) {
   const auto check = [](const char* name, const std::vector<double>& arguments, const R3::Point& p,
                         const R3::Vector& out) {
     const auto shape = R3::MakeShape(name, arguments);
@@ -178,7 +178,7 @@ TEST(Extremes, C4_FromInsideEverySolidIsLeftOnceMoreThanEntered) {
   }
 }
 
-TEST(Extremes, C12_AHitAtTheEndOfTheRayIsAMissAndOneUlpBeyondItIsAHit) {
+TEST(Extremes, C12_TheEndOfARayIsExclusive) {
   Draw draw(605);
   for (const auto& shape : ConvexShapes()) {
     Single single(shape, draw.Affine(1));

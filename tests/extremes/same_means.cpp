@@ -83,7 +83,7 @@ Ways EveryStrategyAndCountOfLights(bool glossy) {
   return ways;
 }
 
-TEST(Extremes, I5_LightIsFoundAlikeOnLightsByScatteringAndByBoth) {
+TEST(Extremes, I5_EveryStrategyFindsTheSameLight) {
   for (const bool glossy : {false, true})
     for (const bool sky : {false, true}) {
       if (glossy == sky && !std::getenv("RAYPRO_NIGHT")) continue;
@@ -102,7 +102,7 @@ TEST(Extremes, I5_LightIsFoundAlikeOnLightsByScatteringAndByBoth) {
     }
 }
 
-TEST(Extremes, I5_AGlossyMirrorThatHasNothingElseShowsLightsAlikeByEveryStrategy) {
+TEST(Extremes, I5_StrategiesAgreeOnLightsInAPureGlossyMirror) {
   const std::string mirror = "camera 0 1.5 6  0 -0.2 -1  0 1 0  0.35  0.01 100" + Material(0, 0, 0, 0, 2) +
                              "mirror 0 0.8 0.7 0.6 tri 0 -9 0 -9  -9 0 9  9 0 9 tri 0 -9 0 -9  9 0 9  9 0 -9 " +
                              no_light + Material(0, 0, 0, 5);
@@ -115,7 +115,7 @@ TEST(Extremes, I5_AGlossyMirrorThatHasNothingElseShowsLightsAlikeByEveryStrategy
   }
 }
 
-TEST(Extremes, I5_OfLampsInTheSamePlaceTheFirstShinesAlikeByEveryStrategy) {
+TEST(Extremes, I5_StrategiesAgreeOnTheFirstOfCoincidentLamps) {
   const std::string floor = "camera 0 1 4  0 -0.25 -1  0 1 0  0.3  0.01 100" + Material(0.5, 0, 0, 0) + no_light +
                             Material(0, 0, 0, 3) + Material(0, 0, 0, 1) + "box 0 -9 -1 -9  9 0 9 ";
   for (const std::string where : {"0 4 0  2.5 ", "-6 2.5 -5  6 2.5 -5  0 2.5 7 "}) {
@@ -127,7 +127,7 @@ TEST(Extremes, I5_OfLampsInTheSamePlaceTheFirstShinesAlikeByEveryStrategy) {
 }
 
 // The mirror's direction and the place on the lamp must not be picked by the same numbers.
-TEST(Extremes, I5_ALampThatIsChosenShinesAlikeInABlurredMirror) {
+TEST(Extremes, I5_ChoosingOneLampKeepsABlurredMirrorsMean) {
   const project::Stage stage =
       StageOf("camera 0 1 0  0 -1 0  0 0 -1  0.02  0.01 100" + Material(0, 0, 0, 0) + "mirror 0 1 1 1 gloss 0 8 1 " +
               Material(1, 0, 0, 0) +
@@ -141,7 +141,7 @@ TEST(Extremes, I5_ALampThatIsChosenShinesAlikeInABlurredMirror) {
   ExpectAllAlike(stage, ways);
 }
 
-TEST(Extremes, I5_ShiningSolidsThatAbsorbLightTheirInsideAlikeByEveryStrategy) {
+TEST(Extremes, I5_StrategiesAgreeInsideEmissiveAbsorbingSolids) {
   const std::string inside =
       "camera 0 0 1.8  0 0 -1  0 1 0  0.5  0.01 100" + Material(0.5, 0, 0, 0) + no_light + "sphere 0 0 0 0 0.7 ";
   const std::string shining = Material(0, 0, 0, 1) + "absorb 1 0.5 0.7 0.9 ";
@@ -171,7 +171,7 @@ TEST(Extremes, I5_OneLightOrAFewStandForAll) {
   }
 }
 
-TEST(Extremes, I5_TheCoursesModeAndPathsAgreeOnLightThatComesStraight) {
+TEST(Extremes, I5_WhittedAndPathAgreeOnDirectLight) {
   // No mirrors, no bounces: both are the same integral over the sky and the lamps.
   std::string diffuse = room;
   const std::string glossy = Material(0.5, 0.3, 0, 0, 20);

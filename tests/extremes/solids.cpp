@@ -105,7 +105,7 @@ TEST(Extremes, EverySolidOfAnyProportionsHasNeitherHolesNorHairs) {
     }
 }
 
-TEST(Extremes, C1_OnTheLatticeTheBoxShapeIsHitExactlyWhereWholeNumbersSay) {
+TEST(Extremes, C1_BoxesOnALatticeAreHitExactly) {
   Draw draw(805);
   for (int i = 0; i < Count(300'000, 100'000'000); ++i) {
     const auto whole = [&] { return static_cast<double>(draw.Whole(-5, 5)); };
@@ -131,7 +131,7 @@ TEST(Extremes, C1_OnTheLatticeTheBoxShapeIsHitExactlyWhereWholeNumbersSay) {
   }
 }
 
-TEST(Extremes, B4_AWireAndACoinAreHitAlongTheirAxisToo) {
+TEST(Extremes, B4_WiresAndCoinsAreHitAlongTheirAxis) {
   Draw draw(802);
   for (const auto& [radius, height] : {std::pair{1e-6, 1e6}, {1e6, 1e-6}, {1e-6, 1e-6}, {1e6, 1e6}, {1e-6, 1.0}}) {
     const Solid solid = MakeSolid(draw, "cylinder", radius, height, 0);
@@ -166,7 +166,7 @@ TEST(Extremes, B4_ARayParallelToTheAxisMeetsOnlyTheEnds) {
   }
 }
 
-TEST(Extremes, B5_NeedlesAndPlatesSeenThroughTheirApexOrAlongTheirSideHaveNoHoles) {
+TEST(Extremes, B5_NeedleAndPlateConesHaveNoHoles) {
   Draw draw(804);
   for (int k = 0; k <= 8; ++k)
     for (const bool is_needle : {true, false}) {
@@ -189,7 +189,7 @@ TEST(Extremes, B5_NeedlesAndPlatesSeenThroughTheirApexOrAlongTheirSideHaveNoHole
 
 // Almost along a side the form's slope is nothing but rounding: Newton's step by it goes anywhere. One ray in 10^5 of
 // those above tells.
-TEST(Extremes, B5_ARayAlongASideIsNotMovedByASlopeThatIsRounding) {
+TEST(Extremes, B5_ARayAlongASideIsNotMovedByRounding) {
   const Solid cone{"cone", {0, 0, 0, 1, 1}};
   Check(cone, *R3::MakeShape("cone", cone.arguments),
         {{-0x1.8565b66a58be7p-1, 0x1.4526ad00a42dp+1, 0x1.be92661f0d7c4p+0},

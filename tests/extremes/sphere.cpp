@@ -43,7 +43,7 @@ void CheckAgainstOracle(const R3::Shape& sphere, const R3::Ray& ray, double dist
   EXPECT_LE(oracle::Double(oracle::Abs(oracle::Length(oracle::Of(at.position)) - 1)), 8 * unit_roundoff);
 }
 
-TEST(Extremes, B1_SpheresUpToATrillionRadiiAwayAreHitOnTheirSurface) {
+TEST(Extremes, B1_SpheresAreHitUpToATrillionRadiiAway) {
   const auto sphere = R3::MakeShape("sphere", {0, 0, 0, 1});
   Draw draw(101);
   for (int power = 0; power <= 12; ++power) {
@@ -75,7 +75,7 @@ TEST(Extremes, B1_ARayThatCertainlyLeavesASphereComesNoNearer) {
   EXPECT_GT(certain, 1000);
 }
 
-TEST(Extremes, B2_RaysThatGrazeASphereAreDecidedWithinTheSameBand) {
+TEST(Extremes, B2_GrazingRaysAreDecidedWithinTheSameBand) {
   const auto sphere = R3::MakeShape("sphere", {0, 0, 0, 1});
   Draw draw(102);
   for (const double distance : {10.0, 1e4})
@@ -92,7 +92,7 @@ TEST(Extremes, B2_AnExactTangentGetsTheSameAnswerEveryTime) {
   EXPECT_NEAR(first ? first->t : 10, 10, 1e-6);
 }
 
-TEST(Extremes, B3_AGroundAsLargeAsAPlanetIsHitAtTheRightDistance) {
+TEST(Extremes, B3_PlanetSizedSpheresAreHitAccurately) {
   Draw draw(103);
   for (const auto& [radius, bar] : {std::pair{1e6, 1e-9}, std::pair{1e9, 1e-6}}) {
     const auto ground = R3::MakeShape("sphere", {0, -radius, 0, radius});

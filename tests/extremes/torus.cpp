@@ -122,7 +122,7 @@ TEST(Extremes, B6_ARingFromAnywhereHasNeitherHolesNorHairs) {
   });
 }
 
-TEST(Extremes, B6_ARingTouchedByRaysIsHitWhereTheyGoDeeperThanRounding) {
+TEST(Extremes, B6_ATorusGrazedDeeperThanRoundingIsHit) {
   CheckMany(902, [](Draw& draw, const Ring& ring) {
     const auto [point, outward] = DrawPlace(draw, ring, 1 + draw.Whole(-1, 1) * draw.Scale(-16, -1));
     const R3::Vector along = Unit(Cross(outward, draw.Direction()));
@@ -139,7 +139,7 @@ TEST(Extremes, B6_ARingLetsRaysThroughItsHole) {
   });
 }
 
-TEST(Extremes, B6_ARingAlongItsAxisAndInItsPlaneIsHitAsElsewhere) {
+TEST(Extremes, B6_ATorusIsHitAlongItsAxisAndPlane) {
   CheckMany(904, [](Draw& draw, const Ring& ring) {
     const double distance = draw.Scale(-1, 6) * ring.Size();
     const R3::Vector across = Across(draw.Between(0, 6.28)), up{0, draw.Whole(0, 1) ? 1.0 : -1.0, 0};
@@ -164,7 +164,7 @@ TEST(Extremes, B6_ARingAlongItsAxisAndInItsPlaneIsHitAsElsewhere) {
   });
 }
 
-TEST(Extremes, B6_ARingFromInsideItsTubeIsLeftOnceAndAgain) {
+TEST(Extremes, B6_RaysFromInsideATorusFindAllCrossings) {
   CheckMany(905, [](Draw& draw, const Ring& ring) {
     const R3::Point origin = DrawPlace(draw, ring, draw.Between(0, 1)).point;
     const R3::Vector round = Unit(Cross(origin - ring.center, {0, 1, 0}));
@@ -172,7 +172,7 @@ TEST(Extremes, B6_ARingFromInsideItsTubeIsLeftOnceAndAgain) {
   });
 }
 
-TEST(Extremes, B6_E1_ARingIsNotMetAgainByWhatLeavesItsSurface) {
+TEST(Extremes, B6_E1_RaysLeavingATorusDoNotHitTheirOrigin) {
   CheckMany(906, [](Draw& draw, const Ring& ring) {
     for (;;) {
       const R3::Point target = DrawPlace(draw, ring, draw.Between(0, 1)).point, origin = DrawOrigin(draw, ring);
@@ -194,7 +194,7 @@ TEST(Extremes, B6_ARingThatIsASpindleIsRefused) {
   EXPECT_TRUE(R3::MakeShape("torus", {0, 0, 0, 1, 0})->IsDegenerate());
 }
 
-TEST(Torus, HasItsAxisAlongYAndTextureAroundTheRingAndTheTube) {
+TEST(Torus, LiesAroundYWithUvAlongRingAndTube) {
   const auto ring = R3::MakeShape("torus", {0, 0, 0, 2, 0.5});
   const auto uv = [&](const R3::Point& p, const R3::Vector& from) {
     const R3::Ray ray{p + from, -from};

@@ -94,7 +94,7 @@ std::string LampScene(const Lamp& lamp, double y, const char* ceiling) {
          AtHeight(lamp.commands, y) + "\n" + ceiling + "\n";
 }
 
-TEST(Extremes, M3_ALampOnASurfaceLightsAsOneJustBelowIt) {
+TEST(Extremes, M3_LampsOnASurfaceLightLikeThoseJustBelow) {
   for (const Ceiling& ceiling : ceilings)
     for (const Lamp& lamp : Lamps()) {
       const project::Stage flush = StageOf(LampScene(lamp, 2, ceiling.commands));
@@ -120,7 +120,7 @@ TEST(Extremes, M3_ALampOnASurfaceLightsAsOneJustBelowIt) {
 }
 
 // Behind a surface that comes first, it is not seen, and lights nothing.
-TEST(Extremes, M3_M7_ALampInThePlaneOfAnEarlierSurfaceIsHidden) {
+TEST(Extremes, M3_M7_ALampCoplanarWithAnEarlierSurfaceIsHidden) {
   for (const char* name : {"quad", "polygon", "triangles", "disc"}) {
     const auto lamps = Lamps();
     const auto lamp = std::ranges::find_if(lamps, [&](const Lamp& l) { return std::string(l.name) == name; });
@@ -167,7 +167,7 @@ std::string StandingScene(std::string thing, const char* floor, bool is_floor_fi
          Material(0.1, 0, 0.8, 0) + "absorb 3  0.3 0.2 0.1 " + (is_floor_first ? floor + (" " + thing) : thing + floor);
 }
 
-TEST(Extremes, M4_WhatStandsOnSomethingLooksAsItDoesJustAboveIt) {
+TEST(Extremes, M4_StandingObjectsLookAsIfJustAboveTheFloor) {
   RenderSettings s = Whitted(40, 1);
   s.trace.max_depth = 8;
   std::size_t pixels = 0, different = 0;
@@ -316,7 +316,7 @@ TEST(Extremes, M6_BallsInBallsRefractAsSnellsLawSays) {
   EXPECT_EQ(through, 1600);
 }
 
-TEST(Extremes, M6_WaterThatTouchesOrOverlapsItsGlassIsBoundedByIt) {
+TEST(Extremes, M6_GlassBoundsWaterThatTouchesOrOverlapsIt) {
   // A wall of glass and water beyond it, as boxes: a ray shifts by what each layer refracts it.
   struct Layers {
     const char* name;
@@ -350,7 +350,7 @@ TEST(Extremes, M6_WaterThatTouchesOrOverlapsItsGlassIsBoundedByIt) {
     }
 }
 
-TEST(Extremes, M6_ACameraInsideOfSolidsSeesThroughWhatIsAroundIt) {
+TEST(Extremes, M6_ACameraInsideNestedSolidsSeesTheirAbsorption) {
   // In tinted glass, in a ball of another tint: what is absorbed is that of both ways.
   const std::string materials =
       Material(0, 0, 1, 0) + Material(0, 0, 1, 0) + "absorb 0 0.1 0.2 0.3 absorb 1 0.4 0.1 0 ";
@@ -428,7 +428,7 @@ TEST(Extremes, M7_OfSurfacesInOnePlaneTheFirstIsSeen) {
   EXPECT_LT(near_edges, hits / 100);
 }
 
-TEST(Extremes, M7_OfAHundredThousandSurfacesInOnePlaceTheFirstIsSeen) {
+TEST(Extremes, M7_TheFirstOfManyCoplanarSurfacesIsSeen) {
   std::string text = Material(0.5, 0, 0, 0) + Material(0, 0.5, 0.5, 0, 10, 1.5);
   for (int i = 0; i < 100'000; ++i)
     text += "tri " + std::to_string(i % 2) + " -1 0 -1  1 0 -1  0 0 " + Words(1 + 1e-9 * (i % 50'000)) + "\n";

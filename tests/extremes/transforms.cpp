@@ -77,7 +77,7 @@ TEST(Extremes, A1_PowersOfTenScaleEveryHitWithinRounding) {
   }
 }
 
-TEST(Extremes, A2_NormalsUnderNonUniformScaleAreThoseOfTheInverseTranspose) {
+TEST(Extremes, A2_NormalsTransformByTheInverseTranspose) {
   Draw draw(20);
   for (const auto& [x, y, z] : {std::array{1.0, 1e-3, 1e3}, std::array{1e6, 1.0, 1e-6}}) {
     const auto transform = R3::Transform::Of(Diagonal(x, y, z));
@@ -180,7 +180,7 @@ TEST(Extremes, A10_AChainOfAHundredThousandTransformsLosesNothing) {
   }
 }
 
-TEST(Transform, TheInverseIsTheNearestDoubleForBadlyConditionedMatricesToo) {
+TEST(Transform, InversesOfIllConditionedMatricesAreCorrectlyRounded) {
   Draw draw(40);
   for (int i = 0; i < 2000; ++i) {
     // Two rotations around a squeeze: condition up to 1e12.
@@ -216,7 +216,7 @@ double InverseError(const R3::Transform& t) {
   return oracle::Double(worst / oracle::Sqrt(forward_square * inverse_square));
 }
 
-TEST(Extremes, A4_ShearsAndTinyAndManyTurnsAreUndoneByTheirInverses) {
+TEST(Extremes, A4_InversesUndoShearsAndTinyOrManyTurns) {
   const auto expect_undone = [](const R3::Matrix& m, const std::string& what) {
     const auto transform = R3::Transform::Of(m);
     ASSERT_TRUE(transform) << what;

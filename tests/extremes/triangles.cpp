@@ -75,7 +75,7 @@ R3::Ray RayNear(Draw& draw, const Triangle& triangle, double distance) {
   return {origin, draw.Scale(-3, 3) * (target - origin)};
 }
 
-TEST(Extremes, D6_SliversAreHitAsTheyShouldBeAndHaveANormalWithinTheirRounding) {
+TEST(Extremes, D6_SliversAreHitAndHaveAccurateNormals) {
   Draw draw(406);
   for (int k = 0; k <= 16; ++k)
     for (int i = 0; i < Count(200, 20'000); ++i) {
@@ -100,7 +100,7 @@ TEST(Extremes, D6_SliversAreHitAsTheyShouldBeAndHaveANormalWithinTheirRounding) 
     }
 }
 
-TEST(Extremes, B8_APlaneIsMetWhereItIsHoweverFlatTheRay) {
+TEST(Extremes, B8_AlmostParallelRaysHitAPlaneAccurately) {
   Draw draw(407);
   // A floor in no special position, seen at angles down to 1e-16 from a place whose distance is about its size.
   const R3::Vector n = draw.Direction(), along = Unit(Cross(n, draw.Direction())), across = Cross(n, along);
@@ -127,7 +127,7 @@ TEST(Extremes, B8_APlaneIsMetWhereItIsHoweverFlatTheRay) {
   EXPECT_GT(hits, 16 * Count(500, 50'000) / 2);
 }
 
-TEST(Extremes, B8_ARayParallelToAPlaneMissesItInItAndOffIt) {
+TEST(Extremes, B8_RaysParallelToOrInAPlaneMissIt) {
   const Triangle floor{{R3::Point{-1, 0, -1}, {1, 0, -1}, {0, 0, 2}}};
   const auto mesh = floor.Make();
   for (const double y : {0.0, 1e-300, 1e-9, 1.0})

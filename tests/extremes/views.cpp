@@ -35,7 +35,7 @@ bool IsFinite(const R2::Image& image) {
   return std::ranges::all_of(image.Channels(), [](float x) { return std::isfinite(x); });
 }
 
-TEST(Extremes, G7_ACameraInOnOrAtAnythingGivesAFinitePicture) {
+TEST(Extremes, G7_CamerasInsideOrOnAnythingGiveFiniteImages) {
   const char* const shapes[] = {"sphere 0 0 0 0 1",    "box 0 -1 -1 -1 1 1 1",      "cylinder 0 0 0 0 1 2",
                                 "cone 0 0 0 0 1 2",    "torus 0 0 0 0 .7 .3",       "tri 0 0 0 0 1 0 0 0 1 0",
                                 "plane 0 0 0 0 0 0 1", "tri 0 -1 -1 0 1 -1 0 0 1 0"};
@@ -51,7 +51,7 @@ TEST(Extremes, G7_ACameraInOnOrAtAnythingGivesAFinitePicture) {
         }
 }
 
-TEST(Extremes, F8_GlassInGlassInWaterNeverGivesMoreLightThanThereIs) {
+TEST(Extremes, F8_NestedGlassInWaterGainsNoLight) {
   // Clear through and through in light of 1 from everywhere: whatever is seen is at most 1, and 1 where a path ends.
   const std::string clear =
       "background 1 1 1\npoint_light 0 0 0 9 9 9 1 0 0\n"
@@ -70,7 +70,7 @@ TEST(Extremes, F8_GlassInGlassInWaterNeverGivesMoreLightThanThereIs) {
     }
 }
 
-TEST(Extremes, G3_PicturesOfOneRowColumnOrPixelHaveTheirSizeAndMean) {
+TEST(Extremes, G3_ImagesOfOneRowColumnOrPixelAreCorrect) {
   const std::string scene = "camera 0 0 5 0 0 -1 0 1 0 .4 .1 100\ndir_light 1 1 1 -1 -1 -2\n" + gray +
                             "sphere 0 0 0 0 1\nbox 0 -2 -2 -1 -1 2 0\n";
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 77}, {77, 1}, {65'535, 1}, {1, 65'535}}) {
@@ -134,7 +134,7 @@ int DifferentAwayFromOutlines(const R2::Image& a, const R2::Image& b, int reach)
   return count;
 }
 
-TEST(Extremes, B11_FromAMillionMillionAwayTheOutlineIsThatFromNearby) {
+TEST(Extremes, B11_OutlinesLookTheSameFromATrillionAway) {
   const auto seen_from = [](double distance) {
     const std::string half_angle = "1.5e-" + std::to_string(std::lround(std::log10(distance))),
                       eye = std::to_string(distance);
@@ -184,7 +184,7 @@ TEST(Extremes, J7_AThousandRendersAreOnePicture) {
 
 // Surfaces that are nearer to one another than the errors of both, at most 2^-45 here, are one, and the first of them
 // is hit; those at no less than twice that are told apart.
-TEST(Extremes, B9_OfTwoParallelSquaresTheNearerIsHitWhileTheirGapCanBeTold) {
+TEST(Extremes, B9_TheNearerOfTwoParallelSquaresIsHit) {
   for (const double size : {1.0, 1e-3, 1e6}) {
     for (int power = 1; power <= 52; ++power) {
       const double gap = std::ldexp(size, -power);
@@ -224,7 +224,7 @@ std::string RefusalOf(const std::string& scene) {
   return "";
 }
 
-TEST(Extremes, G11_ALensOfAnyProjectionGivesAFinitePictureOrIsRefused) {
+TEST(Extremes, G11_LensesGiveFiniteImagesOrAreRefused) {
   const std::string room =
       gray + "point_light 1 1 1 1 2 3 1 0 0\nbackground .3 .4 .5\nsphere 0 0 0 0 1\nbox 0 -9 -2 -9 9 -1 9\n";
   for (const ray::CameraKind* kind : ray::CameraKinds())

@@ -49,7 +49,7 @@ void ExpectNoLeaks(const R3::MeshData& data, const R3::Matrix& matrix, std::uint
   }
 }
 
-TEST(Extremes, D1_D2_NoAcceleratorLetsARayThroughAnEdgeOrACorner) {
+TEST(Extremes, D1_D2_NoAcceleratorLeaksAtEdgesOrCorners) {
   ExpectNoLeaks(accelerators::BumpyBall(40, 30), {}, 1001, Count(60'000, 100'000'000));
   ExpectNoLeaks(accelerators::BumpyBall(200, 4), {}, 1002, Count(20'000, 10'000'000));  // corners of valence 200
   ExpectNoLeaks(accelerators::BumpyBall(3, 4), {}, 1003, Count(20'000, 10'000'000));    // and of 3
@@ -90,13 +90,13 @@ TEST(Extremes, D1_D2_NoAcceleratorThatTracesRaysTogetherLetsOneThrough) {
   }
 }
 
-TEST(Extremes, D3_NoAcceleratorLetsARayThroughAMeshFarTinyHugeSqueezedOrSlanted) {
+TEST(Extremes, D3_NoAcceleratorLeaksUnderExtremeTransforms) {
   Draw draw(1010);
   for (const R3::Matrix& m : HardPlacements(draw))
     ExpectNoLeaks(Moved(accelerators::BumpyBall(24, 16), m), m, 1011, Count(6'000, 1'000'000));
 }
 
-TEST(Extremes, D12_ARayFromOutsideToOutsideCrossesAClosedMeshAnEvenNumberOfTimes) {
+TEST(Extremes, D12_RaysCrossAClosedMeshAnEvenNumberOfTimes) {
   const ray::Scene scene = SceneOf(accelerators::BumpyBall(40, 30));
   const ray::World world(scene);
   for (const auto& way : Ways()) {

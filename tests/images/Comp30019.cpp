@@ -84,7 +84,7 @@ TEST(Comp30019Pictures, Stage1IsTheCoursesToTheByte) {
 // The one pixel is at the edge of the sphere's shadow, in column 35, row 331 from the top: from the floor there, the
 // line to the light passes the sphere's center at .499976593, computed with 40 digits, and so is blocked by its radius
 // of .5.
-TEST(Comp30019Pictures, DiffuseSurfacesAndShadowsAreTheCoursesToTheByteButForOnePixelThatIsInShadow) {
+TEST(Comp30019Pictures, DiffuseScenesMatchTheCourseButForOneShadowPixel) {
   NEEDS_THE_COURSE();
   BytePicture ours = Rendered("sample_scene_1.txt", {});
   const BytePicture theirs = Reference("sample_scene_1_x1.png");
@@ -112,7 +112,7 @@ TEST(Comp30019Pictures, TheCameraTurnsAsTheCoursesDoes) {
   for (const auto& pixel : up.pixels) ASSERT_EQ(pixel, (std::array{0, 0, 0}));  // past everything
 }
 
-TEST(Comp30019Pictures, MirrorsAndGlassAreTheCoursesWithinATwentiethOfALevelInTheMean) {
+TEST(Comp30019Pictures, MirrorsAndGlassMatchTheCourseWithinATwentiethLevel) {
   NEEDS_THE_COURSE();
   EXPECT_LE(MeanDifference(Rendered("sample_scene_2.txt", {"-x", "3"}), Reference("sample_scene_2_x3.png")), 0.05);
   EXPECT_LE(MeanDifference(Rendered("sample_scene_2.txt", {"-x", "4"}), Reference("sample_scene_2_s2.png")), 0.05);

@@ -19,7 +19,7 @@ TEST(Regression, AFlatConeIsNotHitBeyondItsRim) {
 
 // Rays through the apex: both roots fall together there, and the step of Newton's method that polishes a root divided
 // rounding by rounding and moved it by 3000 ulp. It is taken now only where it is more than rounding.
-TEST(Regression, ARootAtAConesApexIsNotPolishedWithRounding) {
+TEST(Regression, ConeApexRootsAreNotPolishedByRounding) {
   const auto cone = R3::MakeShape("cone", {0, 0, 0, 1, 0x1.47ae147ae147bp-7});
   const R3::Ray to_apex{{0x1.92fb0cfdf06c5p-1, 0x1.f1d173e2b6dfep-7, -0x1.4e583dd1b69f1p-4},
                         {-0x1.90f94e24d85bbp-1, -0x1.4c50a2ce87ccap-7, 0x1.4cadff5c847fap-4}};

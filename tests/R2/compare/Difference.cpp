@@ -85,7 +85,7 @@ TEST(Difference, NothingIsKnownWhenNoPixelIsFinite) {
   EXPECT_EQ(d.pixels_not_finite, 4);
 }
 
-TEST(Difference, APixelAtTheThresholdPassesAndOneChannelBeyondItFails) {
+TEST(Difference, APixelFailsIfAnyChannelExceedsTheThreshold) {
   Image a = Filled(3, 1, {});
   a.Set(1, 0, {0, 0.25, 0});
   a.Set(2, 0, {0, 0, -0.5});

@@ -39,7 +39,7 @@ std::optional<WorldHit> FirstFront(const World& both_sides, const R3::Ray& ray) 
   return first;
 }
 
-TEST(OneSided, OfAllCrossingsTheFirstThatArrivesAtAFrontIsTheHit) {
+TEST(OneSided, TheHitIsTheFirstCrossingOfAFront) {
   const auto none = FindAcceleratorKind("none");
   int backs = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -125,7 +125,7 @@ TEST(OneSided, ALampShinesForwardAlikeByEveryStrategy) {
   }
 }
 
-TEST(OneSided, AFaceKeepsTheSunFromWhereItsFrontIsSeen) {
+TEST(OneSided, AFaceShadowsOnlyWhatSeesItsFront) {
   const auto floor_under = [](const std::string& roof) {
     RenderSettings settings;
     settings.width = settings.height = 9;

@@ -50,7 +50,7 @@ double Farthest(const R2::Image& a, const R2::Image& b) {
   return farthest;
 }
 
-TEST(ProjectTextures, APolygonAndAMeshLookAsIfTheirPlacesWereTextureCoordinates) {
+TEST(ProjectTextures, PolygonsAndMeshesAreTexturedByPosition) {
   const Pictures picture;
   for (const std::string more : {"", "bump 0 patches.ppm .2\n", "normal_map 0 patches.ppm\n",
                                  "specular_map 0 patches.ppm\n", "texture_scale 0 2 .5\n"})
@@ -65,7 +65,7 @@ TEST(ProjectTextures, APolygonAndAMeshLookAsIfTheirPlacesWereTextureCoordinates)
 }
 
 // Without texture coordinates all of them are 0, as in the course.
-TEST(ProjectTextures, WithoutTheWordAPolygonHasTheColorAtTheOrigin) {
+TEST(ProjectTextures, UnprojectedPolygonsShowTheColorAtTheOrigin) {
   const Pictures picture;
   EXPECT_EQ(picture(polygon, "uv").At(20, 20), R2::Color{});
   const R2::Image image = picture(polygon, "albedo");
@@ -99,7 +99,7 @@ TEST(ProjectTextures, AnImageIsTurnedAndScaledWithItsGroup) {
     }
 }
 
-TEST(ProjectTextures, OneMeshMayHaveBothAPlainAndAProjectedMaterial) {
+TEST(ProjectTextures, OneMeshMayHavePlainAndProjectedMaterials) {
   const Pictures picture;
   const project::Stage stage = picture.Stage(
       "material .1 .1 .1 1 1 1 .3 .3 .3 0 0 0 0 0 0 10 1 patches.ppm texture_project 1\n"

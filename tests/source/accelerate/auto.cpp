@@ -44,7 +44,7 @@ TEST(Auto, PutsATreeOverCompactTriangles) {
   EXPECT_TRUE(lines.starts_with("auto chose bvh: more than 3 primitives, and bounding boxes have ")) << lines;
 }
 
-TEST(Auto, TakesAGridForHairAndTriesBothWhenThereIsTime) {
+TEST(Auto, TakesAGridForHairOrTriesBothGivenTime) {
   EXPECT_TRUE(Choice(Hairs(0.002, 2000), 100).starts_with("auto chose grid: bounding boxes have "));
   const std::string lines = Choice(Hairs(0.002, 2000), 1e7);
   EXPECT_TRUE(lines.starts_with("auto tried ")) << lines;

@@ -88,7 +88,7 @@ void CompareInOneScene(const ray::Scene& scene, Draw& draw, int rays) {
   }
 }
 
-TEST(Graph, FindsWhatBruteForceFindsInRandomScenesOfEveryShapeAndScale) {
+TEST(Graph, AgreesWithBruteForceInRandomScenes) {
   for (const double powers : {0.0, 1.0, 3.0, 6.0})
     for (int seed = 0; seed < Count(15, 1000); ++seed) {
       Draw draw(static_cast<std::uint64_t>(seed) + 800);
@@ -160,7 +160,7 @@ TEST(Graph, EachOfItsDevicesSavesTestsWhereItShould) {
   EXPECT_LE(cached, 101u);
 }
 
-TEST(World, HandsMaterialsDownAndNumbersPrimitivesInTheOrderOfTheFile) {
+TEST(World, InheritsMaterialsAndNumbersPrimitivesInFileOrder) {
   ray::Scene scene;
   scene.materials.resize(4);
   ray::Node a, b, c;

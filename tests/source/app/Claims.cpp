@@ -6,7 +6,7 @@
 namespace ray::testing {
 namespace {
 
-TEST(Claims, AreThoseOfTheSameRenderWithAReportAndOfItsReplay) {
+TEST(Claims, AreTheSameWithAReportAndInItsReplay) {
   NEEDS_THE_PROGRAM();
   const Place place;
   ASSERT_EQ(place.Run("reference.pfm", {"-mode", "path", "-samples", "64", "-seed", "9"}).status, 0);
@@ -51,7 +51,7 @@ TEST(Claims, SayWhereCausticsMayBeThatNoPathHasFound) {
 }
 
 // In so few pixels the worst thousandth is a quarter of them.
-TEST(Outliers, AreNotWarnedOfInAPictureOfAFewPixels) {
+TEST(Outliers, CauseNoWarningInTinyImages) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const Finished done = place.Run("a.ppm", {"-crop", "18", "14", "20", "16", "-error", "2"});

@@ -65,7 +65,7 @@ TEST(Convert, NonsenseIsRefusedWithTheReason) {
   EXPECT_EQ(place.Others({"in.scn"}), std::vector<std::string>{});
 }
 
-TEST(Convert, ASettingThatIsWrongIsFoundAndNothingIsWritten) {
+TEST(Convert, AWrongSettingIsReportedAndNothingWritten) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder place;
   const std::string scene = WriteFile(place / "in.scn", "set max_depth much\n" + small_scene_text);

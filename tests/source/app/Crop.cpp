@@ -21,7 +21,7 @@ TEST(Crop, ADenoisedOneIsResumedAndReplayedToTheByte) {
   EXPECT_TRUE(run("c.pfm", {"-samples", "8", "-resume"}) == at_once);
 }
 
-TEST(Crop, ExplainSaysWhetherItHasThePixelsOfTheWholeAndWhatIsRenderedForThem) {
+TEST(Crop, ExplainSaysWhetherItMatchesTheWhole) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const auto said_with = [&](const List& more) {

@@ -34,7 +34,7 @@ struct StageForDenoiser : SceneFolder {
   }
 };
 
-TEST(Denoiser, TheDenoiserIsOursUnlessAnotherIsAskedForAndAutomaticIsResolvedBeforeTheRender) {
+TEST(Denoiser, IsOursByDefaultAndAutoIsResolvedBeforeRendering) {
   EXPECT_EQ(OptionsOfDenoiser({"-denoise", "-samples", "4"}).render.denoiser, Denoiser::regression);
   Options options = OptionsOfDenoiser({"-denoise", "-samples", "4", "-denoiser", "auto"});
   CompleteForScene(options);
@@ -67,7 +67,7 @@ TEST(Denoiser, WithoutDenoisingIsWarnedOfAndNotLoaded) {
 }
 
 // Its name is all that tells why the same command made another image on another machine.
-TEST(Denoiser, OfALibraryIsNamedInImageReportAndLineAndReplayInsistsOnIt) {
+TEST(Denoiser, OfALibraryIsRecordedAndRequiredByReplay) {
   NEEDS_THE_PROGRAM();
   if (!OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has no Open Image Denoise";
   const StageForDenoiser place;

@@ -110,7 +110,7 @@ const List settings_of_all_kinds[] = {
 
 int RunRounds(const PartsPlace& place, int n, const List& more);
 
-TEST(Farm, PartsOfEveryKindInAnyOrderAndOnAnyMachineMakeOneImage) {
+TEST(Farm, PartsInAnyOrderOnAnyMachineMakeOneImage) {
   NEEDS_THE_PROGRAM();
   for (const List& more : settings_of_all_kinds) {
     const PartsPlace place;
@@ -210,7 +210,7 @@ TEST(Farm, PartsOfAnotherImageAreRefusedByName) {
   EXPECT_TRUE(Has(done.error, "a different scene")) << done.error;
 }
 
-TEST(Farm, PartsOfAnotherDivisionOrMachineTypeAreRefusedByName) {
+TEST(Farm, PartsOfAnotherDivisionOrByteOrderAreRefused) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   EXPECT_EQ(place.Part(1, 2).status, 0);
@@ -240,7 +240,7 @@ struct Asked {
   std::string identity;
 };
 
-TEST(Farm, APartThatIsThereTwiceMustHoldTheSameSums) {
+TEST(Farm, DuplicatePartsMustHoldTheSameSums) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   const auto expected = place.OneRender();
@@ -279,7 +279,7 @@ TEST(Farm, ADamagedPartIsNamedAndRenderedAgain) {
 }
 
 // Another job of the image's name removes parts between the listing of their names and their reading.
-TEST(Farm, APartThatVanishesBeforeItIsReadIsOneThatIsMissing) {
+TEST(Farm, APartThatVanishesBeforeReadingCountsAsMissing) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   EXPECT_EQ(place.Part(1, 2).status, 0);
@@ -337,7 +337,7 @@ TEST(Farm, APartThatIsTerminatedContinuesWhereItStopped) {
   place.ExpectFiles(expected);
 }
 
-TEST(Farm, AFullDiskNamesThePartAndTheImageComesOut) {
+TEST(Farm, AFullDiskCostsAPartButNotTheImage) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   const auto expected = place.OneRender();
@@ -354,7 +354,7 @@ TEST(Farm, AFullDiskNamesThePartAndTheImageComesOut) {
   place.ExpectFiles(expected);
 }
 
-TEST(Farm, TwoJobsOfOneNameInOneFolderDoNoHarm) {
+TEST(Farm, TwoJobsOfOneNameDoNoHarm) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   const auto expected = place.OneRender();
@@ -387,7 +387,7 @@ int RunRounds(const PartsPlace& place, int n, const List& more) {
   return -1;
 }
 
-TEST(Farm, AnErrorTargetIsReachedInRoundsWithTheClaimOfOneRender) {
+TEST(Farm, RoundsReachAnErrorTargetLikeOneRender) {
   NEEDS_THE_PROGRAM();
   for (const List& more :
        {List{"-mode", "path", "-error", "4", "-samples", "512"}, List{"-samples", "16", "-adaptive", "neighbors"}}) {
@@ -427,7 +427,7 @@ TEST(Farm, ATimeThatIsLongEnoughChangesNoByte) {
   }
 }
 
-TEST(Farm, WhenTheTimeIsOverTheImageHasWhatTheMachinesGot) {
+TEST(Farm, TheImageHasWhatMachinesRenderedInTime) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   const List more{"-mode", "path", "-time", "1000"};
@@ -449,7 +449,7 @@ TEST(Farm, WhenTheTimeIsOverTheImageHasWhatTheMachinesGot) {
   EXPECT_EQ(report["samples"]["most"], 1);
 }
 
-TEST(Farm, APartThatKnowsNoBeginningOfTheTimeIsRefused) {
+TEST(Farm, ATimedPartWithoutAPlanIsRefused) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   const Finished part = place.Part(1, 2, {"-time", "5"});

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // With less, the process used to die by a signal.
-TEST(Extremes, L12_WhereNoThreadCanBeMadeOneDoesAllTheWork) {
+TEST(Extremes, L12_OneThreadDoesAllIfNoneCanBeCreated) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   std::filesystem::permissions(folder.Path(), std::filesystem::perms::all);
@@ -30,7 +30,7 @@ TEST(Extremes, L12_WhereNoThreadCanBeMadeOneDoesAllTheWork) {
   }
 }
 
-TEST(Extremes, L11_AStackTooSmallIsToldOfAndASoftLimitRaised) {
+TEST(Extremes, L11_SmallStacksAreReportedAndSoftLimitsRaised) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const std::string words = std::string(" ") + place.Scene() + " " + (place / "out.ppm") + " -width 8 -height 8 -quiet";
@@ -49,7 +49,7 @@ TEST(Extremes, L11_AStackTooSmallIsToldOfAndASoftLimitRaised) {
   }
 }
 
-TEST(Extremes, L11_FewDescriptorsLittleMemoryAndManyThreadsOnOneProcessorGiveThePictureOrAMessage) {
+TEST(Extremes, L11_ScarceResourcesGiveTheImageOrAMessage) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const std::string picture = place / "out.ppm", error = place / "error";

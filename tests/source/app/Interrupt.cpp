@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-TEST(Extremes, L5_ASignalEndsTheRunWithinASecondAndSavesThePictureSoFar) {
+TEST(Extremes, L5_ASignalEndsTheRunAndSavesTheImage) {
   NEEDS_THE_PROGRAM();
   std::mt19937 random(2);
   const int rounds = Rounds("RAYTESTS_SIGNALS", 6);
@@ -90,7 +90,7 @@ TEST(Extremes, L5_ASignalEndsALoopOverManyLightSamples) {
   }
 }
 
-TEST(Extremes, L5_ASecondSignalEndsTheRunAtOnceAndLeavesTheOldPicture) {
+TEST(Extremes, L5_ASecondSignalQuitsAtOnceWithoutSaving) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   WriteFile(place / "out.ppm", "old");

@@ -10,7 +10,7 @@ const std::string scene_with_a_lamp_in_view =
     "camera 0 0 6  0 0 -1  0 1 0  0.4  0.1 100\nambient .2 .2 .2\npoint_light 1 .9 .7  1 1 0  1 0 0\n"
     "sphere -1  -1 0 0  1\n";
 
-TEST(Layers, AFlareIsOneThatCanBeTakenAwayFromTheImage) {
+TEST(Layers, AFlareCanBeSubtractedFromTheImage) {
   NEEDS_THE_PROGRAM();
   if (!R2::FormatForName("a.exr")) GTEST_SKIP() << "without OpenEXR";
   const SceneFolder place(scene_with_a_lamp_in_view);
@@ -48,7 +48,7 @@ TEST(Layers, OfAnImageWithAFlareAreThoseWithout) {
   EXPECT_FALSE(ReadFile(place / "0.pfm") == ReadFile(place / "1.pfm"));
 }
 
-TEST(Layers, AFlareIsAFileBesideAnImageThatHoldsNone) {
+TEST(Layers, AFlareIsAFileBesideImagesWithoutLayers) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place(scene_with_a_lamp_in_view);
   const Finished done = RunProgram({place.Scene(), place / "a.png", "-width", "40", "-height", "30", "-flare", "1",

@@ -28,7 +28,7 @@ TEST(Resume, WithoutACheckpointBeginsAndSaysSo) {
   EXPECT_EQ(place.Others({"in.scn", "out.png"}), std::vector<std::string>{});
 }
 
-TEST(Resume, AddsSamplesToAFinishedPictureAsIfTheyHadBeenAskedForAtOnce) {
+TEST(Resume, AddsSamplesAsIfAskedForAtOnce) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder place;
   const std::string scene = WriteFile(place / "in.scn", soft_shadow);
@@ -161,7 +161,7 @@ TEST_F(Interrupted, ARendersCheckpointIsNoOtherRendersToTake) {
   EXPECT_EQ(place.Others({"in.scn", "out.png"}), Names{});
 }
 
-TEST_F(Interrupted, ARenderGoesOnToFewerSamplesThanItWasToTake) {
+TEST_F(Interrupted, ARenderCanResumeToFewerSamples) {
   NEEDS_THE_PROGRAM();
   ASSERT_EQ(Interrupt("out.pfm").status, 130);
   const Finished resumed = RunProgram(Command("out.pfm", {"-samples", "2500", "-resume"}));

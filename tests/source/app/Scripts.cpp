@@ -59,7 +59,7 @@ TEST(MovieScript, AnOptionThatChangesLeavesTheCameraAsItIs) {
 }
 
 // Among them a camera that is rolled, and one of a scene a ten-thousandth of a unit wide.
-TEST(MovieScript, TheFirstFrameOfAnOrbitIsWhatTheScenesOwnCameraSees) {
+TEST(MovieScript, TheFirstOrbitFrameIsTheScenesOwnView) {
   NEEDS_THE_PROGRAM();
   NEEDS_RAYIMG();
   for (const char* scene :

@@ -70,7 +70,7 @@ TEST(TradeWords, DenoiseNeedsLightSamplesAndTimeThatItKnows) {
   EXPECT_TRUE(Has(ErrorOf({"-denoise", "-samples", "4", "-sampler", "grid"}), "-denoise"));
 }
 
-TEST(TradeWords, NeighborsDecideWithoutABudgetAndGridsNeedSquaresTimesPlacesAndMoments) {
+TEST(TradeWords, NeighborsExcludeBudgetsAndGridsNeedSquareCounts) {
   const std::string refused =
       "-adaptive neighbors takes one sample or all of them; it cannot be combined with -time, -error or -denoise";
   EXPECT_EQ(ErrorOf({"-adaptive", "neighbors", "-samples", "4"}), "");
@@ -104,7 +104,7 @@ TEST(TradeWords, AnErrorHasAUnitBehindItsNumber) {
     EXPECT_TRUE(Has(ErrorOf({"-error", word}), "-error must be an error above 0")) << word;
 }
 
-TEST(TradeWords, ATimeHasAUnitBehindItsNumberOrIsInSeconds) {
+TEST(TradeWords, ATimeHasAUnitOrIsInSeconds) {
   const struct {
     const char* word;
     double seconds;
@@ -117,7 +117,7 @@ TEST(TradeWords, ATimeHasAUnitBehindItsNumberOrIsInSeconds) {
     EXPECT_TRUE(Has(ErrorOf({"-time", word}), "-time must be a duration")) << word;
 }
 
-TEST(TradeWords, SingleOptionsOverrideTheirPartOfAPresetInAnyOrder) {
+TEST(TradeWords, OptionsOverridePresetsInAnyOrder) {
   ASSERT_GE(Presets().size(), 4u);
   const Options draft = Parsed({"-quality", "draft"});
   EXPECT_EQ(draft.render.samples, 4);
@@ -153,7 +153,7 @@ TEST(TradeWords, ContradictionsAreRefused) {
 
 // From outside.
 
-TEST(Replay, MakesARenderThatItsErrorOrTheClockEndedAgainToTheByte) {
+TEST(Replay, RepeatsRendersEndedByErrorOrTimeToTheByte) {
   NEEDS_THE_PROGRAM();
   for (const List& budget : {List{"-error", "6"},
                              {"-error", "30dB", "-mode", "path", "-filter", "mitchell"},
@@ -193,7 +193,7 @@ TEST(Replay, ThatASignalEndedIsResumed) {
   EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
 }
 
-TEST(Report, OfAFinishedRenderThatIsResumedHasEachPassOnce) {
+TEST(Report, OfAResumedFinishedRenderHasEachPassOnce) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const List settings{"-mode", "path", "-samples", "16", "-denoise", "-keep_checkpoint"};
@@ -213,7 +213,7 @@ TEST(Report, OfAFinishedRenderThatIsResumedHasEachPassOnce) {
   EXPECT_EQ(passes("-resume"), first);
 }
 
-TEST(Time, TooShortForTheImageAloneIsToldAndTheImageMade) {
+TEST(Time, TooShortForTheImageWarnsAndStillMakesIt) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const Finished run = place.Run("a.png", {"-time", "0.001s", "-width", "400", "-height", "300"});
@@ -249,7 +249,7 @@ Finished RunDenoisedInTime(const Place& place, const List& words) {
   return run;
 }
 
-TEST(Replay, MakesAnImageThatWasDenoisedInTimeAgainToTheByte) {
+TEST(Replay, RepeatsTimedDenoisedImagesToTheByte) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const List settings{"-denoise", "-shadow_samples", "1"};
@@ -265,7 +265,7 @@ TEST(Replay, MakesAnImageThatWasDenoisedInTimeAgainToTheByte) {
 }
 
 // A replay that denoised it would not be the same image.
-TEST(Time, TooShortForTheFilterIsToldBeforehandAndTheImageNotDenoisedNorInAReplay) {
+TEST(Time, TooShortForDenoisingWarnsAndReplaysSkipItToo) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const List settings{"-denoise", "-width", "800", "-height", "600", "-threads", "1"};
@@ -318,7 +318,7 @@ TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {
 }
 
 // A report edited by hand once was read past the end of its list.
-TEST(Replay, RefusesAReportWhoseBlocksAreNotThoseOfThePicture) {
+TEST(Replay, RefusesAReportWithTheWrongBlocks) {
   NEEDS_THE_PROGRAM();
   const Place place;
   ASSERT_EQ(place.Run("a.ppm", {"-samples", "4", "-report", place / "r.json"}).status, 0);
@@ -467,7 +467,7 @@ std::string Pfm(int width, int height, float value) {
   return bytes;
 }
 
-TEST(Environment, ThatCannotBeALightIsAnErrorOfItsFile) {
+TEST(Environment, ThatCannotBeALightIsAFileError) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const Finished good = place.Run("a.ppm", {"-env", WriteFile(place / "good.pfm", Pfm(8, 4, 0.5f))});

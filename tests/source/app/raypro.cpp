@@ -70,7 +70,7 @@ TEST(Raypro, KeepsTimesInThePictureWhereAsked) {
   EXPECT_EQ(settings["threads"], "3");
 }
 
-TEST(Raypro, ReadsASceneFromStandardInputWithPlacesForItsMistakes) {
+TEST(Raypro, ReadsScenesFromStandardInputAndLocatesMistakes) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const Surroundings from_scene{.standard_input = place.Scene()};
@@ -112,7 +112,7 @@ TEST(Raypro, WritesAPngAndNothingElseToStandardOutput) {
   EXPECT_EQ(RunProgram({place.Scene(), "-", "-resume"}).status, 2);
 }
 
-TEST(Raypro, ALoneSceneIsRenderedBesideItButNeverOverItsOwnTexture) {
+TEST(Raypro, ALoneSceneRendersBesideItselfButSparesItsTexture) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   WriteFile(place / "in.png", "an earlier image");
@@ -127,7 +127,7 @@ TEST(Raypro, ALoneSceneIsRenderedBesideItButNeverOverItsOwnTexture) {
   EXPECT_TRUE(ReadFile(place / "in.png") == picture);
 }
 
-TEST(Raypro, OptionsOfTheCameraTakeThePlaceOfTheScenesAndAreReplayed) {
+TEST(Raypro, CameraOptionsOverrideTheSceneAndAreReplayed) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const std::string ball = "sphere -1 0 0 0 1\nbox -1 1 1 1 2 2 2\n";
@@ -156,7 +156,7 @@ TEST(Raypro, OptionsOfTheCameraTakeThePlaceOfTheScenesAndAreReplayed) {
   EXPECT_TRUE(Has(inside.error, "the camera is at the point given by -target")) << inside.error;
 }
 
-TEST(Raypro, RendersSeveralScenesIntoAFolderAndOneThatFailsStopsNoOther) {
+TEST(Raypro, RendersScenesIntoAFolderDespiteOneThatFails) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const std::string bad = WriteFile(place / "bad.scn", "spere\n"), last = WriteFile(place / "last.scn", small_scene);
@@ -180,7 +180,7 @@ TEST(Raypro, RendersSeveralScenesIntoAFolderAndOneThatFailsStopsNoOther) {
 }
 
 // The picture of one scene once took the place of another's texture, which then was rendered with it.
-TEST(Raypro, APictureOfSeveralScenesNeverReplacesWhatAnotherOfThemReads) {
+TEST(Raypro, NoScenesImageReplacesWhatAnotherSceneReads) {
   NEEDS_THE_PROGRAM();
   if (!R2::FormatForName("a.png")) GTEST_SKIP() << "no PNG in this build";
   const SceneFolder place;
@@ -211,7 +211,7 @@ TEST(Raypro, WhatIsSaidOfSeveralScenesNamesEach) {
   EXPECT_TRUE(Has(without.error, "several scenes need -out_folder")) << without.error;
 }
 
-TEST(Raypro, ExitStatusSaysWhatWentWrongAndNoFileIsLeft) {
+TEST(Raypro, FailuresSetTheExitStatusAndLeaveNoFile) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   WriteFile(place / "bad.scn", "spere 0 0 0 1\n");
@@ -303,7 +303,7 @@ TEST(Raypro, WarnsOfOptionsThatDoNothing) {
   EXPECT_TRUE(Has(done.error, "warning: -max_depth 1000000000 exceeds the hard limit of 1000 bounces")) << done.error;
 }
 
-TEST(Raypro, SaysHowManySamplesItTakesWhereThatAreNotThoseAskedFor) {
+TEST(Raypro, WarnsWhenSamplesTakenDifferFromThoseAskedFor) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const auto warnings = [&](const std::vector<std::string>& more) {
@@ -319,7 +319,7 @@ TEST(Raypro, SaysHowManySamplesItTakesWhereThatAreNotThoseAskedFor) {
   EXPECT_FALSE(Has(warnings({"-samples", "4", "-error", "8"}), "-samples"));
 }
 
-TEST(Raypro, ALensForAProjectionThatHasNoneIsRefusedWhoeverAsksForIt) {
+TEST(Raypro, ALensIsRefusedForProjectionsWithoutOne) {
   NEEDS_THE_PROGRAM();
   const std::string refusal = "-aperture has no effect with -projection latlong, which has no lens";
   const SceneFolder plain, with_lens("set aperture .1\nset focus 5\n" + small_scene);
@@ -373,7 +373,7 @@ TEST(Raypro, WarnsOfOptionsForWantOfOthers) {
   EXPECT_EQ(used.error, "");
 }
 
-TEST(Raypro, ASizeThatTheFormatCannotHoldIsRefusedBeforeRendering) {
+TEST(Raypro, SizesBeyondTheFormatAreRefusedBeforeRendering) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const Finished done = RunProgram({place.Scene(), place / "out.jpg", "-width", "70000", "-height", "1"});
@@ -381,7 +381,7 @@ TEST(Raypro, ASizeThatTheFormatCannotHoldIsRefusedBeforeRendering) {
   EXPECT_TRUE(Has(done.error, "jpeg")) << done.error;
 }
 
-TEST(Extremes, G4_ASizeOverTheLimitEndsBeforeMemoryIsAskedFor) {
+TEST(Extremes, G4_SizesOverTheLimitAreRefusedBeforeAllocating) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   for (const char* width : {"0", "-1", "2147483648", "1099511627776", "1073741824"}) {

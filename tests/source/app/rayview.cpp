@@ -53,7 +53,7 @@ class Rayview : public ::testing::Test {
 };
 
 // Scripts do the same for everybody.
-TEST_F(Rayview, AScriptNeitherKnowsNorChangesTheHabitsOfAUser) {
+TEST_F(Rayview, ScriptsNeitherUseNorChangeAUsersHabits) {
   environment["XDG_CONFIG_HOME"] = folder / "config";
   std::filesystem::create_directories(folder / "config/raypro");
   const std::string habits = WriteFile(folder / "config/raypro/rayview", "theme pink\n");
@@ -87,7 +87,7 @@ TEST_F(Rayview, ASceneThatIsReadLaterBringsItsOwnSettings) {
   }
 }
 
-TEST_F(Rayview, ASceneThatIsReloadedHasTheSettingsThatItNamesNow) {
+TEST_F(Rayview, AReloadedSceneHasItsCurrentSettings) {
   const std::string scene = WriteFile(folder / "now.scn", ReadFile(Scene("sphere.scn")) + "\nset mode flat\n");
   const Finished viewed =
       Follow(scene, "key Control+R\nkey S\nwait trace\n", {"-image", folder / "view.ppm", "-quiet"});
@@ -127,7 +127,7 @@ TEST_F(Rayview, ThePrintedCameraReloadsToThePicture) {
 }
 
 // A texture, of the scene at first or of one that was opened later, is no place for a picture.
-TEST_F(Rayview, NoPictureTakesThePlaceOfAFileThatTheSceneWasReadFrom) {
+TEST_F(Rayview, NoImageOverwritesAFileOfTheScene) {
   const std::string texture = folder / "texture.ppm", pixel = "P3 1 1 255 9 9 9\n";
   const std::string textured =
       WriteFile(folder / "textured.scn", "material 1 1 1 1 1 1 0 0 0 0 0 0 0 0 0 9 1 texture.ppm\nsphere 0 0 0 0 1\n");
@@ -146,7 +146,7 @@ TEST_F(Rayview, NoPictureTakesThePlaceOfAFileThatTheSceneWasReadFrom) {
   }
 }
 
-TEST_F(Rayview, ABookmarkIsWrittenBesideTheSceneAndTouchesNoOtherFile) {
+TEST_F(Rayview, BookmarksAreWrittenBesideTheSceneAndNowhereElse) {
   const std::string scene = WriteFile(folder / "in.scn", testing::small_scene);
   const std::string other = WriteFile(folder / "in.scn.views.new", "mine\n");
   const Finished viewed = Follow(scene, "key Control+3\n");
@@ -197,7 +197,7 @@ TEST_F(Rayview, WhatWasDroppedIsNeverOverwritten) {
   }
 }
 
-TEST_F(Rayview, AFileThatIsNotThereIsSaidToBeMissing) {
+TEST_F(Rayview, AnAbsentFileIsReportedAsMissing) {
   for (const char* option : {"-events", "-reference"}) {
     const Finished done = Run({Scene("hello.scn"), "-headless", option, folder / "none"});
     EXPECT_EQ(done.status, 3);
@@ -415,7 +415,7 @@ TEST_F(RayviewWindow, IgnoresBrokenHabitsWithAMessage) {
   EXPECT_EQ(ReadFile(habits), "theme pink\n");
 }
 
-TEST_F(RayviewWindow, KeysAndPointerArriveAndTheScreenShowsWhatIsReadBack) {
+TEST_F(RayviewWindow, GetsInputAndShowsWhatIsReadBack) {
   if (std::system("command -v import >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs import, of ImageMagick";
   testing::Running view({Scene("hello.scn"), "-width", "160", "-height", "120", "-image", folder / "traced.ppm",
                          "-output_image", folder / "end.png", "-record", folder / "what.events", "-quiet"},

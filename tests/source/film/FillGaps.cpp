@@ -27,7 +27,7 @@ TEST(BlockOrder, EveryPixelOfABlockHasItsPlace) {
   EXPECT_EQ(*places.rbegin(), 63);
 }
 
-TEST(BlockOrder, PlacesOfAPartOfABlockAreThoseOfTheWhole) {
+TEST(BlockOrder, PlacesInPartOfABlockMatchTheWhole) {
   const auto [column, row] = BlockOrder::PixelAt(9, {19, 13, 24, 16});
   EXPECT_EQ(BlockOrder::PlaceOf(column, row), 9);
   EXPECT_EQ(column / 8, 2);

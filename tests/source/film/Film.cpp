@@ -68,7 +68,7 @@ TEST(Film, ACutHasThePixelsOfTheWhole) {
 }
 
 /// The picture by the definition: each pixel asks every sample of the whole for its weight.
-TEST(Film, EveryPixelIsTheWeightedMeanOfAllSamplesInReach) {
+TEST(Film, PixelsAreWeightedMeansOfSamplesInReach) {
   constexpr int width = 20, height = 18;
   constexpr std::uint32_t samples = 3;
   for (const FilterKind kind : kinds) {
@@ -93,7 +93,7 @@ TEST(Film, EveryPixelIsTheWeightedMeanOfAllSamplesInReach) {
   }
 }
 
-TEST(Film, TheSameSamplesInOneGoOrInSeveralGiveTheSameBits) {
+TEST(Film, SplittingSamplesIntoPassesChangesNoBit) {
   for (const FilterKind kind : kinds) {
     Film once(30, 20, {0, 0, 30, 20}, kind), often = once;
     Expose(once, 0, 0, 7, Noise);
@@ -106,7 +106,7 @@ TEST(Film, TheSameSamplesInOneGoOrInSeveralGiveTheSameBits) {
 
 // A pixel is put together from blocks; where their borders run may change the last digits of a double, not of a float
 // picture beyond rounding, and which of its neighbors are in the film changes nothing at all.
-TEST(Film, AWindowHoldsThePixelsOfTheWholeUnderEveryFilter) {
+TEST(Film, AWindowMatchesTheWholeUnderEveryFilter) {
   for (const FilterKind kind : kinds) {
     Film whole(40, 33, {0, 0, 40, 33}, kind);
     Expose(whole, 0, 0, 3, Noise);
@@ -140,7 +140,7 @@ TEST(Film, BothPartsTogetherAreThePicture) {
   }
 }
 
-TEST(Film, PixelsWithoutSamplesAreBlackAndNoneIsEverNotFinite) {
+TEST(Film, EmptyPixelsAreBlackAndAllAreFinite) {
   Film film(16, 8, {0, 0, 16, 8}, FilterKind::lanczos);
   EXPECT_EQ(film.Picture(), R2::Image(16, 8));
   film[0].sums[0] = film.EmptySums(0);
@@ -150,7 +150,7 @@ TEST(Film, PixelsWithoutSamplesAreBlackAndNoneIsEverNotFinite) {
   for (const float channel : image.Channels()) EXPECT_TRUE(std::isfinite(channel));
 }
 
-TEST(Film, WideFiltersGiveTheSameBitsOnAnyThreadsAndTiles) {
+TEST(Film, ThreadsAndTilesChangeNoBitUnderWideFilters) {
   const project::Stage stage(project::Root() / "scenes" / "area_light.scn");
   for (const char* filter : filter_names) {
     RenderSettings settings;

@@ -51,7 +51,7 @@ TEST(Grader, SmoothedEdgesAreRight) {
   EXPECT_EQ(GradeRaypro({"-samples", "16"}).scenes[0].outcome, Outcome::right);
 }
 
-TEST(Grader, AMistakeIsNamedAndKeepsAShareOfThePoints) {
+TEST(Grader, AMistakeIsNamedAndEarnsPartialCredit) {
   NEEDS_A_PROGRAM_TO_GRADE();
   const auto scene = GradeRaypro({"-max_depth", "2"}).scenes[0];
   EXPECT_EQ(scene.mistakes, "one_bounce_less") << scene.headline;

@@ -31,7 +31,7 @@ grade::Suite SmallSuite(const std::string& course) {
   return suite;
 }
 
-TEST(Mistakes, EachHasANameOfItsOwnAndWordsThatTeach) {
+TEST(Mistakes, EachHasAUniqueNameAndAHint) {
   std::set<std::string> names;
   for (const grade::Mistake* mistake : grade::Mistakes()) {
     EXPECT_TRUE(names.insert(mistake->name).second) << mistake->name;

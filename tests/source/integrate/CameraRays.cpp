@@ -35,7 +35,7 @@ R3::Point OnPlane(const R3::Ray& ray, double distance) {
   return ray.At(t);
 }
 
-TEST(CameraRays, WhatLiesInFocusIsSharpFromEveryPlaceOfTheLens) {
+TEST(CameraRays, PointsInFocusAreSharpFromTheWholeLens) {
   for (const double focus : {0.5, 5.0, 1e3}) {
     const CameraRays rays = Make({.motion = {}, .aperture = 0.3, .focus = focus});
     for (int pixel = 0; pixel < image_width; pixel += 13)
@@ -66,7 +66,7 @@ TEST(CameraRays, WhatLiesElsewhereIsBlurredByTheThinLensEquation) {
   }
 }
 
-TEST(CameraRays, AGridGoesThroughTheMiddlesOfEqualPartsOfThePixel) {
+TEST(CameraRays, AGridSamplesTheCentersOfEqualPixelParts) {
   for (const std::uint32_t side : {1u, 2u, 3u, 7u}) {
     const CameraRays rays = Make({}, SamplerKind::grid, side * side);
     for (std::uint32_t i = 0; i < side * side; ++i) {
@@ -78,7 +78,7 @@ TEST(CameraRays, AGridGoesThroughTheMiddlesOfEqualPartsOfThePixel) {
 }
 
 // A square grid still: each place is a quarter turn of another about the middle.
-TEST(CameraRays, ARotatedGridHasNoTwoPlacesInARowOrAColumn) {
+TEST(CameraRays, ARotatedGridNeverRepeatsARowOrColumn) {
   for (const std::uint32_t side : {1u, 2u, 3u, 7u}) {
     const CameraRays rays = Make({}, SamplerKind::rotated_grid, side * side);
     std::set<std::int64_t> columns, rows;
@@ -100,7 +100,7 @@ TEST(CameraRays, ARotatedGridHasNoTwoPlacesInARowOrAColumn) {
   }
 }
 
-TEST(CameraRays, EvenMomentsAreTheMiddlesOfTheShuttersPartsForEveryPlaceOfTheGridAndTheLens) {
+TEST(CameraRays, EveryGridAndLensSampleGetsEvenShutterTimes) {
   constexpr std::uint32_t places = 4, on_lens = 3, moments = 5;
   CameraEffects effects{.motion = {1, 0, 0}, .aperture = 2, .focus = 4, .lens = LensPattern::fixed_spiral};
   effects.lens_samples = on_lens;
@@ -118,7 +118,7 @@ TEST(CameraRays, EvenMomentsAreTheMiddlesOfTheShuttersPartsForEveryPlaceOfTheGri
   for (const double time : {0.1, 0.3, 0.5, 0.7, 0.9}) EXPECT_EQ(times[time], places * on_lens) << time;
 }
 
-TEST(CameraRays, ASpiralStartsAtItsPlacesForEveryPlaceOfTheGrid) {
+TEST(CameraRays, TheFixedSpiralRestartsForEveryGridSample) {
   constexpr std::uint32_t places = 4, each = 16;
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
   const CameraRays rays =
@@ -135,7 +135,7 @@ TEST(CameraRays, ASpiralStartsAtItsPlacesForEveryPlaceOfTheGrid) {
   }
 }
 
-TEST(CameraRays, TurnedSpiralsStayOnTheLensAndDifferFromPixelToPixel) {
+TEST(CameraRays, TurnedSpiralsStayOnTheLensAndDifferBetweenPixels) {
   const CameraEffects spiral{.motion = {}, .aperture = 2, .focus = 4, .lens = LensPattern::spiral, .lens_samples = 8};
   const CameraRays rays = Make(spiral, SamplerKind::grid, 8);
   std::set<double> across;
@@ -193,7 +193,7 @@ TEST(CameraRays, ManyMadeTogetherAreThoseMadeOneByOne) {
 }
 
 // What is stated without effect must not cost a bit of the picture.
-TEST(CameraRays, ALensOfNoSizeAndAMotionOfNothingAreThePinholeToTheBit) {
+TEST(CameraRays, ZeroApertureAndMotionEqualThePinholeExactly) {
   const CameraRays pinhole = Make({}), none = Make({.motion = {0, 0, 0}, .aperture = 0, .focus = 7});
   EXPECT_EQ(none.Kernel(), "pinhole");
   for (std::uint32_t i = 0; i < samples; ++i) {
@@ -304,7 +304,7 @@ TEST(CameraRays, TheEyeMovesEvenlyWhileTheShutterIsOpen) {
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(static_cast<std::size_t>(times[i] * samples), i);
 }
 
-TEST(CameraRays, OneSampleGoesThroughTheMiddleAndManyFillThePixel) {
+TEST(CameraRays, OneSampleIsCenteredAndManyFillThePixel) {
   const CameraSample middle = Make({}, SamplerKind::sobol, 1)({5, 6, RandomKey(1), 0});
   EXPECT_EQ(middle.x, 5.5);
   EXPECT_EQ(middle.y, 6.5);

@@ -39,7 +39,7 @@ void ExpectChannels(const std::vector<Guide>& guides, std::size_t first, std::si
   }
 }
 
-TEST(Guide, WithoutAreaLightsItsLightIsThatOfWhittedWithoutShadowsAndWithoutRaysBelowATenth) {
+TEST(Guide, ItsLightMatchesWhittedWithoutShadowsOrFaintRays) {
   for (const char* scene : {"refraction.scn", "glass.scn", "depth.scn", "specular.scn"}) {
     const project::Stage stage(project::Root() / "scenes" / scene);
     RenderSettings settings = Small(RenderMode::whitted);

@@ -63,7 +63,7 @@ std::string InUnit(double scale) {
   return text.str();
 }
 
-TEST(Path, AUnitOfLengthThatIsAPowerOfTwoTimesSmallerGivesTheSameBytes) {
+TEST(Path, ScalingLengthsByPowersOfTwoChangesNoByte) {
   // The choice of lights once weighed lights without fall-off against areas, so that a scene in other units had
   // more noise.
   RenderSettings settings = Settings();
@@ -132,7 +132,7 @@ TEST(Path, WithShadowsOffNothingBlocksALight) {
   EXPECT_NEAR(Shown(scene, settings).r, 0.5 * 0.8 * 8 / 25, 1e-6);
 }
 
-TEST(Path, AllOfWhatGlassCannotLetOutIsReflectedWithFresnelAndLostWithout) {
+TEST(Path, TotalReflectionIsCompleteWithFresnelAndLostWithout) {
   // From inside a block of glass, 60 degrees off the normal of its face, beyond the critical angle of 41.8. What is
   // reflected meets a face at the right, 30 degrees off, where most gets out.
   const std::string scene = "camera 0 0 0  " + std::to_string(std::sin(1.0471975512)) + " " +

@@ -59,7 +59,7 @@ struct BothWays {
   TraceState of_all, of_one;
 };
 
-TEST(Path, PathsOfEveryLobeAreTheSameTogetherAndOneByOne) {
+TEST(Path, EveryLobeGivesTheSamePathsTogetherAndAlone) {
   const project::Stage stage(project::FromText(surfaces_of_every_lobe));
   for (const bool glossy : {false, true})
     for (const bool fresnel : {false, true})
@@ -79,7 +79,7 @@ TEST(Path, PathsOfEveryLobeAreTheSameTogetherAndOneByOne) {
 }
 
 // Nothing times infinity would be no number.
-TEST(Path, ASurfaceThatOnlyMirrorsIsBlackUnderALightBeyondAllNumbers) {
+TEST(Path, APureMirrorStaysFiniteUnderInfiniteLight) {
   const project::Stage stage(project::FromText(
       "camera 0 0 5  0 0 -1  0 1 0  0.4  0.01 100  background 0.2 0.3 0.4  point_light 1 1 1  3 4 5  1e-320 0 0 "
       "material 0 0 0  0 0 0  0 0 0  0 0 0  0 0 0  50 1 0  mirror 0  0.5 0.5 0.5  gloss 0  50 4  sphere 0  0 0 0  1 "));

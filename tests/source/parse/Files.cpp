@@ -65,7 +65,7 @@ TEST(Files, AreLookedForInTheCurrentFolderNext) {
 }
 
 // Scenes that were written for a program started elsewhere.
-TEST(Files, ANameThatGoesUpToWhereNothingIsIsLookedForBesideTheScene) {
+TEST(Files, UpwardPathsFallBackToTheScenesFolder) {
   const Folder folder;
   folder.Write("sub/textures/a.off", "beside");
   const Files files(folder / "sub/scene.scn", {});
@@ -82,14 +82,14 @@ TEST(Files, ANameThatGoesUpToWhereNothingIsIsLookedForBesideTheScene) {
       Contains(ErrorOf([&] { files.Find("../textures/a.off", (folder / "sub/scene.scn").string()); }), "is outside"));
 }
 
-TEST(Files, ASceneWithoutFolderInItsNameLiesInTheCurrentOne) {
+TEST(Files, ABareSceneNameMeansTheCurrentFolder) {
   const Folder folder;
   folder.Write("a.off", "x");
   const ScopedCurrentFolder here(folder.Path());
   EXPECT_EQ(ReadNamed(Files("scene.scn", {}), "a.off", "scene.scn"), "x");
 }
 
-TEST(Extremes, K1_FilesOutsideTheScenesFolderAreRefusedAndTheOptionIsNamed) {
+TEST(Extremes, K1_OutsideFilesAreRefusedAndTheOptionIsNamed) {
   const Folder folder, outside;
   outside.Write("secret.off", "x");
   const Files files(folder / "scene.scn", {});
@@ -101,7 +101,7 @@ TEST(Extremes, K1_FilesOutsideTheScenesFolderAreRefusedAndTheOptionIsNamed) {
   EXPECT_TRUE(Contains(ErrorOf([&] { files.Find(upward, (folder / "scene.scn").string()); }), "is outside"));
 }
 
-TEST(Extremes, K1_AFolderThatIsAllowedIsOpenAndItsNeighborsAreNot) {
+TEST(Extremes, K1_AllowingAFolderDoesNotAllowItsNeighbors) {
   const Folder folder, outside;
   outside.Write("open/a.off", "x");
   outside.Write("opening/a.off", "x");
@@ -126,7 +126,7 @@ TEST(Extremes, K1_OnlyRegularFilesAreRead) {
   EXPECT_EQ(error("file:///etc/passwd"), "no such file: 'file:///etc/passwd'");
 }
 
-TEST(Extremes, K2_ALinkOutOfTheFolderIsRefusedAndOneWithinIsFollowed) {
+TEST(Extremes, K2_OnlyLinksWithinTheFolderAreFollowed) {
   const Folder folder, outside;
   outside.Write("a.off", "outside");
   folder.Write("b.off", "inside");
@@ -137,7 +137,7 @@ TEST(Extremes, K2_ALinkOutOfTheFolderIsRefusedAndOneWithinIsFollowed) {
   EXPECT_EQ(ReadNamed(files, "in.off", folder / "s"), "inside");
 }
 
-TEST(Extremes, K2_ALinkPutInPlaceBetweenCheckAndOpenIsNotFollowed) {
+TEST(Extremes, K2_LinksSwappedInAfterTheCheckAreNotFollowed) {
   const Folder folder, outside;
   outside.Write("a.off", "secret");
   folder.Write("sub/a.off", "harmless");
@@ -161,7 +161,7 @@ TEST(Extremes, K8_NamesAreBytes) {
   EXPECT_TRUE(Contains(ErrorOf([&] { files.Find(std::string(10000, 'x'), (folder / "s").string()); }), "cannot open"));
 }
 
-TEST(Files, ATopSceneThatCannotBeReadIsAnErrorOfTheWholeFile) {
+TEST(Files, UnreadableTopScenesAreErrorsOfTheWholeFile) {
   const Folder folder;
   EXPECT_EQ(ReportOf(folder, "nowhere.scn"), "nowhere.scn: error: no such file");
   fs::create_directory(folder / "folder.scn");
@@ -183,7 +183,7 @@ TEST(Files, AnUnreadableSceneIsAnError) {
 }
 
 // In a deep folder, what was cut off was the very name that the author looks for.
-TEST(Files, AFileWithAMistakeIsNamedWholeHoweverLongItsPath) {
+TEST(Files, ErrorsNameTheWholePathHoweverLong) {
   const Folder folder;
   const std::string deep(100, 'd'), scene = deep + "/scene.scn";
   folder.Write(deep + "/mesh.xyz", "");

@@ -88,7 +88,7 @@ TEST(Off, HeadersWithColorsNormalsAndTextureCoordinatesAreUnderstood) {
   EXPECT_EQ(all.warnings.size(), 0u);
 }
 
-TEST(Off, NumbersThatTheHeaderDoesNotNameAreNotDroppedSilently) {
+TEST(Off, UndeclaredNumbersAreNotDroppedSilently) {
   const auto read = Read("a.off", "OFF 3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n");
   ASSERT_EQ(read.warnings.size(), 1u);
   EXPECT_EQ(read.warnings[0],
@@ -108,7 +108,7 @@ TEST(Off, FacesMissingOrToSpareAreAWarning) {
 }
 
 // Without a line end there is no telling where data begin: none do.
-TEST(Ply, AHeaderWithoutAnyLineEndHasNoDataBehindIt) {
+TEST(Ply, AHeaderWithoutALineEndHasNoData) {
   EXPECT_TRUE(Read("a.ply", "ply format ascii 1.0 end_header").data.positions.empty());
   const std::string promised =
       "ply format ascii 1.0 element vertex 1 property float x property float y property float z";
@@ -122,7 +122,7 @@ TEST(Extremes, D8_FacesOfTooFewCornersAreCountedAndLeftOut) {
             "a.off:5:1: warning: 3 faces with fewer than 3 corners skipped, the first of them here");
 }
 
-TEST(Extremes, D8_AFaceOfTooFewCornersIsToldOfAtItsLine) {
+TEST(Extremes, D8_FacesWithTooFewCornersAreReportedWithTheirLine) {
   const struct {
     const char *name, *text, *place;
   } files[] = {
@@ -180,7 +180,7 @@ TEST(Extremes, D5_TrianglesWithoutAreaAreCountedInAWarning) {
   EXPECT_EQ(parsed.scene.root.children.at(0).shape->Elements(), 1);
 }
 
-TEST(Extremes, C11_VerticesThatAreNotFiniteOrTooFarAreErrorsThatNameThem) {
+TEST(Extremes, C11_ErrorsNameNonFiniteOrTooDistantVertices) {
   for (const char* x : {"nan", "inf", "1e400", "1.1e150", "-1e151"}) {
     const std::string number = x;
     EXPECT_TRUE(
@@ -267,7 +267,7 @@ TEST(Ply, AllThreeEncodingsGiveTheSameMesh) {
   }
 }
 
-TEST(Ply, TheDataBeginsRightBehindTheHeadersLineEndWhateverItIs) {
+TEST(Ply, DataBeginsRightAfterAnyHeaderLineEnd) {
   // 0x0a as the first byte of the data, behind line ends of one and of two bytes.
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     std::string header;
@@ -293,7 +293,7 @@ TEST(Ply, NormalsAndTextureCoordinatesAreReadUnderTheirSeveralNames) {
   }
 }
 
-TEST(Ply, StripsTurnEverySecondTriangleAndBeginAnewBehindMinusOne) {
+TEST(Ply, StripsAlternateTheirWindingAndRestartAtMinusOne) {
   const auto read =
       Read("a.ply",
            "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
@@ -329,7 +329,7 @@ const std::string ascii_stl =
     "solid my cube\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n"
     "  endloop\n endfacet\nendsolid my cube\n";
 
-TEST(Stl, BothKindsGiveTheSameMeshThoughBothBeginWithSolid) {
+TEST(Stl, AsciiAndBinaryWithSolidGiveTheSameMesh) {
   for (const std::string& file : {ascii_stl, BinaryStl()}) {
     const auto read = Read("a.STL", file);
     EXPECT_EQ(read.data.positions, (std::vector<R3::Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
@@ -337,7 +337,7 @@ TEST(Stl, BothKindsGiveTheSameMeshThoughBothBeginWithSolid) {
   }
 }
 
-TEST(Extremes, K3_HeadersThatPromiseMoreThanTheFileHoldsAreRefusedAtOnce) {
+TEST(Extremes, K3_MeshHeadersThatPromiseTooMuchAreRefusedAtOnce) {
   const std::string vertex = "property float x\nproperty float y\nproperty float z\n";
   EXPECT_TRUE(Contains(ErrorOf("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
                        "the header declares 4000000000 vertices, but"));
@@ -413,7 +413,7 @@ TEST(Extremes, K10_TenMebibytesOfAwkwardFacesTakeAtMostTenSeconds) {
   EXPECT_LT(seconds("a.obj", joined), 10 * patience);
 }
 
-TEST(Meshes, AQuarterMillionTrianglesAreReadInLessThanTwoSeconds) {
+TEST(Meshes, AQuarterMillionTrianglesAreReadWithinTwoSeconds) {
   const std::filesystem::path file = ProjectRoot() / "../shared/meshes/igea.ply";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no mesh at " << file;
   std::ostringstream bytes;
@@ -432,7 +432,7 @@ TEST(Meshes, ExtensionsAreKnownInAnyLetterCase) {
   EXPECT_FALSE(MeshFormatForName("a.offx"));
 }
 
-TEST(Meshes, AFileOfAMeshIsASceneOfItsOwn) {
+TEST(Meshes, AMeshFileAloneIsAScene) {
   const auto file = project::Root() / "scenes/meshes/icosahedron.off";
   const ParsedScene parsed = Parse(file, {});
   EXPECT_EQ(parsed.warnings, std::vector<std::string>{}) << "nobody asked for normals";

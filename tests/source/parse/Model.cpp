@@ -63,7 +63,7 @@ TEST(Models, OfBlenderHaveTheirColorsAndTextures) {
   ExpectColor(models.SeenAt("blender_box.obj", 3.2, 1.2), {0.05 * cosine, 0.2 * cosine, 0.7 * cosine}, 1e-4);
 }
 
-TEST(Models, OfBlenderMayBeClearShineMirrorAndHaveNormalMaps) {
+TEST(Models, OfBlenderTransmitEmitMirrorAndHaveNormalMaps) {
   const Models models;
   // d .25: a quarter of kd, and three quarters of what is behind, through both sides; the back is in shadow.
   const double behind = 0.75 * 0.75 * 0.4;
@@ -95,7 +95,7 @@ TEST(Models, OfSketchUpHaveTexturesOfWindowsPaths) {
   ExpectColor(models.SeenAt("sketchup_house.obj", 1, 0.5), {0.480392 * 0.8, 0.270588 * 0.6, 0.2 * 0.4});
 }
 
-TEST(Models, FacesWithoutAMaterialOfTheFileHaveThatOfTheScene) {
+TEST(Models, FacesWithoutAMaterialTakeTheScenes) {
   const Models models;
   const Scene scene = Parse(models.Write("scene.scn",
                                          "material 0 0 0 0 .5 0 0 0 0 0 0 0 0 0 0 1 1 0\n"
@@ -111,7 +111,7 @@ TEST(Models, FacesWithoutAMaterialOfTheFileHaveThatOfTheScene) {
 }
 
 // Course files say a material for every mesh, and mean it.
-TEST(Models, WithoutTheWordAMeshIsOneShapeOfTheScenesMaterial) {
+TEST(Models, WithoutTheKeywordAMeshHasTheScenesMaterial) {
   const Models models;
   const Scene scene =
       Parse(models.Write("scene.scn", red + "mesh 0 blender_glass.obj\nmesh 0 meshlab_colors.obj\n"), {}).scene;
@@ -281,7 +281,7 @@ TEST(Models, MistakesInALibraryAreErrorsInIt) {
   EXPECT_EQ(error("newmtl\n"), "a.mtl:2:1: error: the material's name is missing");
 }
 
-TEST(Models, OfPlyHaveTheColorsOfTheirVerticesAndTheirTexture) {
+TEST(Models, OfPlyHaveVertexColorsAndTextures) {
   const Folder folder;
   folder.Write("a.ppm", "P3 1 1 255 51 102 153\n");
   const std::string vertex = "property float x\nproperty float y\nproperty float z\n";
@@ -334,7 +334,7 @@ TEST(Models, BytesOfColorsAreDecodedInALinearWorkflow) {
   EXPECT_EQ(color[2], 1);
 }
 
-TEST(Models, VertexColorsMultiplyKdOfAMaterialThatAsksForThem) {
+TEST(Models, VertexColorsMultiplyKdWhereAskedFor) {
   const Models models;
   const std::string scene =
       "camera 1 .5 50  0 0 -1  0 1 0  1e-6 .01 100\ndir_light 1 1 1 0 0 -1\nambient 1 1 1\n"

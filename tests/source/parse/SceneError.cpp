@@ -54,7 +54,7 @@ TEST(SceneError, TwentyAreShownAndTheRestIsCounted) {
                   .ends_with("\nand 25 more errors"));
 }
 
-TEST(Extremes, K8_NoByteOfAFileReachesTheTerminalUnlessItIsText) {
+TEST(Extremes, K8_OnlyTextOfAFileReachesTheTerminal) {
   SceneError error = ErrorIn("bell\a.scn", "x");
   EXPECT_EQ(error.Format(), "bell\\x07.scn: error: x");
   EXPECT_EQ(Quoted("\x1b[2J"), "'\\x1b[2J'");
@@ -84,7 +84,7 @@ TEST(Suggestion, OneSlipOfTheKeyboardIsUnderstood) {
   EXPECT_EQ(Suggestion("boxx", choices, "commands"), "did you mean 'box'?");
 }
 
-TEST(Suggestion, AWordLikeNoOtherIsAnsweredWithAllOfThem) {
+TEST(Suggestion, AWordLikeNoChoiceListsThemAll) {
   constexpr std::string_view choices[] = {"box", "sphere"};
   EXPECT_EQ(Suggestion("cat", choices, "commands"), "commands are box, sphere");
   EXPECT_EQ(Suggestion(std::string(1000, 'x'), choices, "commands"), "commands are box, sphere");

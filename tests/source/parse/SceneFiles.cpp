@@ -8,7 +8,7 @@
 namespace {
 
 // Whoever writes a picture over one of these destroys the scene, and a hash without them calls two scenes one.
-TEST(SceneFiles, NameTheSceneItsIncludesItsMeshesAndItsTexturesOnceEach) {
+TEST(SceneFiles, NameEveryFileOfTheSceneOnce) {
   const auto folder = project::Root() / "scenes";
   const auto names = [&](const char* scene) {
     std::vector<std::string> files = ray::Parse(folder / scene, {}).scene.files;
@@ -22,7 +22,7 @@ TEST(SceneFiles, NameTheSceneItsIncludesItsMeshesAndItsTexturesOnceEach) {
 
 const std::string named_sky = "environment sky.ppm\nsphere -1 0 0 0 1\n", white = "P3 2 1 255 9 9 9 9 9 9\n";
 
-TEST(SceneFiles, AnEnvironmentOfTheUsersTakesThePlaceOfTheScenesWhichIsThenNotDecoded) {
+TEST(SceneFiles, TheUsersEnvironmentReplacesTheScenesUndecodedOne) {
   const ray::Folder folder;
   folder.Write("sky.ppm", "no image");
   ray::ParseOptions options;
@@ -36,7 +36,7 @@ TEST(SceneFiles, AnEnvironmentOfTheUsersTakesThePlaceOfTheScenesWhichIsThenNotDe
   EXPECT_EQ(scene.files[1], folder / "sky.ppm") << "it is the scene's, and not to be overwritten";
 }
 
-TEST(SceneFiles, TheUsersEnvironmentCountsBesideTheTexturesAndTheHintIsShown) {
+TEST(SceneFiles, TheUsersEnvironmentCountsTowardsTheTextureLimit) {
   const ray::Folder folder;
   folder.Write("texture.ppm", white);
   const std::string scene = "material 1 1 1 1 1 1 0 0 0 0 0 0 0 0 0 9 1 texture.ppm\nsphere 0 0 0 0 1\n";
@@ -67,7 +67,7 @@ TEST(SceneFiles, WhatIsOddAboutAnImageIsWarnedOfOnce) {
 }
 
 // Somebody saved the page that shows an image instead of the image.
-TEST(SceneFiles, ATextureThatIsNoImageIsCalledWhatItLooksLike) {
+TEST(SceneFiles, NonImageTexturesAreCalledWhatTheyLookLike) {
   const ray::Folder folder;
   folder.Write("leaf.png", "<!DOCTYPE html><html><body>Sign in to see leaf.png</body></html>");
   folder.Write("in.scn", "material 1 1 1 1 1 1 0 0 0 0 0 0 0 0 0 1 1 leaf.png\nsphere 0 0 0 0 1\n");

@@ -33,7 +33,7 @@ TEST(Scn, AMaterialLandsFieldForField) {
   EXPECT_FALSE(m.texture);
 }
 
-TEST(Extremes, F3_Trap2_AnIndexOfRefractionOfZeroMeansOneAndExtremeOnesStay) {
+TEST(Extremes, F3_Trap2_AnIndexOfZeroMeansOneAndExtremesStay) {
   const auto index = [](const std::string& ir) {
     return ParseText("material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  10 " + ir + " 0").scene.materials.at(1).ir;
   };
@@ -52,7 +52,7 @@ TEST(Scn, AMirrorHasAWeightOfItsOwn) {
   EXPECT_EQ(m.kr, (R2::Color{0.1, 0.2, 0.3}));
 }
 
-TEST(Scn, APriorityThatContradictsAnEarlierOneCountsWithAWarning) {
+TEST(Scn, AConflictingLaterPriorityWinsWithAWarning) {
   const std::string material = "material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  10 1.5 0\n";
   const ParsedScene parsed = ParseText(material + "priority 0 1\npriority 0 2");
   EXPECT_EQ(parsed.scene.materials.at(1).priority, 2);
@@ -121,7 +121,7 @@ TEST(Scn, ASpecularMapIsDecodedAsATextureIs) {
   EXPECT_TRUE(Contains(ReportOf("specular_map 0 half.ppm"), "no material 0"));
 }
 
-TEST(Scn, NamesInQuotesMayHoldBlanksAndTheirMistakesAreTold) {
+TEST(Scn, QuotedNamesMayHoldBlanksAndAreChecked) {
   const Folder folder;
   folder.Write("my \"wood\" #1.ppm", "P3 1 1 255 255 0 0 ");
   folder.Write("in.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 10 1 \"my \\\"wood\\\" #1.ppm\"\nsphere 0 0 0 0 1\n");
@@ -162,7 +162,7 @@ TEST(Scn, AnyNegativeIdInherits) {
   EXPECT_EQ(ParseText("sphere -7 0 0 0 1").scene.root.children.at(0).material, Node::inherit);
 }
 
-TEST(Scn, Trap5_AtTheTopOfAnIncludedFileInheritingMeansTheDefault) {
+TEST(Scn, Trap5_InheritingAtTheTopOfAnIncludeMeansTheDefault) {
   const Folder folder;
   folder.Write("inner.scn", "sphere -1 0 0 0 1 begin -1" + identity + "sphere -1 0 0 0 1 end sphere -1 0 0 0 1");
   const Scene scene = Parse(folder.Write("scene.scn", red + "begin 0" + identity + "include inner.scn end"), {}).scene;
@@ -184,7 +184,7 @@ TEST(Scn, AnIncludedFileCountsItsOwnMaterials) {
   EXPECT_EQ(scene.root.children.at(1).material, 3);
 }
 
-TEST(Scn, Trap6_WithoutCameraAndLightsAUnitSphereFills77PercentOfTheWidth) {
+TEST(Scn, Trap6_ByDefaultAUnitSphereFills77PercentOfTheWidth) {
   const Scene scene = ParseText("sphere -1 0 0 0 1").scene;
   const double distance = scene.camera.eye.z;
   EXPECT_DOUBLE_EQ(distance, 3 * std::sqrt(3.0));
@@ -204,7 +204,7 @@ TEST(Scn, AnEmissiveTriangleAloneDoesNotSuppressThem) {
   EXPECT_EQ(scene.lights.size(), 2u);
 }
 
-TEST(Scn, ALightInAnIncludedFileIsALightOfTheScene) {
+TEST(Scn, AnIncludedLightBelongsToTheScene) {
   const Folder folder;
   folder.Write("inner.scn", "dir_light 1 1 1  0 0 -1");
   folder.Write("none.scn", "");
@@ -213,7 +213,7 @@ TEST(Scn, ALightInAnIncludedFileIsALightOfTheScene) {
   EXPECT_EQ(Parse(folder.Write("b.scn", "include none.scn dir_light 1 1 1  0 0 -1"), {}).scene.lights.size(), 1u);
 }
 
-TEST(Scn, Trap8_ASpotLightSaysItsCutOffBeforeItsExponent) {
+TEST(Scn, Trap8_TheSpotCutOffComesBeforeTheExponent) {
   const Scene scene = ParseText("spot_light 1 1 1  0 0 0  0 0 -1  1 0 0  0.331 100").scene;
   const auto at = [&](double angle) {
     return scene.lights.at(0)->Illuminate({std::sin(angle), 0, -std::cos(angle)}, {}).has_value();
@@ -289,7 +289,7 @@ TEST(Scn, CommentsMayStandBetweenAnyTwoWords) {
   EXPECT_EQ(scene.root.children.size(), 1u);
 }
 
-TEST(Scn, ACommentMayBeGluedToACommandOrANumberButNotToAName) {
+TEST(Scn, CommentsMayTouchCommandsAndNumbersButNotNames) {
   const Scene scene = ParseText("begin -1" + identity + "sphere#a ball\n -1 0 0 0 1#unit\nend#close sphere\n").scene;
   ASSERT_EQ(scene.root.children.size(), 1u);
   EXPECT_EQ(scene.root.children[0].children.size(), 1u);
@@ -336,7 +336,7 @@ TEST(Scn, TheWordSmoothBehindAMeshAsksForItsNormals) {
   EXPECT_TRUE(Contains(flat.warnings[0], "'smooth' has no effect"));
 }
 
-TEST(Scn, ATextureIsReadOnceAndDecodedWhenTheWorkflowIsLinear) {
+TEST(Scn, TexturesAreReadOnceAndDecodedInLinearWorkflows) {
   const Folder folder;
   folder.Write("t.ppm", std::string("P6 1 1 255\n") + "\x80\x80\x80");
   const std::string material = "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 t.ppm\n";
@@ -377,7 +377,7 @@ TEST(Scn, ATextureOfNoColorsIsRefused) {
   EXPECT_EQ(refusal(bump, -1), "none") << "a height may be below zero";
 }
 
-TEST(Scn, PolygonsThatAreNotFlatOrCrossThemselvesAreToldOf) {
+TEST(Scn, BentAndSelfCrossingPolygonsAreWarnedOf) {
   const auto warning = [](const std::string& text) {
     const ParsedScene parsed = ParseText(text);
     return parsed.warnings.empty() ? "" : parsed.warnings[0].substr(parsed.warnings[0].find("warning"));
@@ -393,7 +393,7 @@ TEST(Scn, PolygonsThatAreNotFlatOrCrossThemselvesAreToldOf) {
   EXPECT_EQ(warning("polygon -1 4  0 0 0  2 -1 0  0.5 0 0  2 1 0"), "");
 }
 
-TEST(Scn, AQuadAndAPolygonAreTrianglesOfTheirCornersThatFaceWhereThoseTurnLeft) {
+TEST(Scn, QuadsAndPolygonsFaceWhereTheirCornersTurnLeft) {
   const Scene quad = ParseText("quad -1  0 0 0  2 0 0  2 1 0  0 1 0").scene;
   const auto& mesh = dynamic_cast<const R3::Mesh&>(*quad.root.children.at(0).shape);
   EXPECT_EQ(mesh.Elements(), 2);
@@ -459,7 +459,7 @@ TEST(Scn, TwoMisspelledCommandsAreTwoErrors) {
   EXPECT_TRUE(Contains(report, ":3:17: error: radius must not be negative"));
 }
 
-TEST(Scn, AMaterialWithAMistakeKeepsItsIdSoThatItIsReportedOnce) {
+TEST(Scn, AFaultyMaterialKeepsItsIdAndIsReportedOnce) {
   const std::string report = ReportOf("material 0 0\nsphere 0 0 0 0 1\n");
   EXPECT_TRUE(Contains(report, "material: ka_b is missing"));
   EXPECT_FALSE(Contains(report, "no material"));

@@ -33,7 +33,7 @@ TEST(Tokenizer, AllWhiteSpaceSeparatesAndATabIsOneColumn) {
 
 TEST(Tokenizer, ColumnsCountCharactersNotBytes) { EXPECT_EQ(Words("\xC3\xA4 b"), "\xC3\xA4@1:1! b@1:3 "); }
 
-TEST(Tokenizer, AByteOrderMarkIsNoPartOfTheFirstWord) {
+TEST(Tokenizer, AByteOrderMarkIsSkipped) {
   EXPECT_EQ(Words("\xEF\xBB\xBF"
                   "a"),
             "a@1:1! ");
@@ -49,13 +49,13 @@ TEST(Tokenizer, ACommentBeginsOnlyAtTheStartOfAWord) {
 }
 
 // Else the number before the # would be read, and the words behind it would be left out.
-TEST(Tokenizer, ANanOfOlderWindowsLibrariesIsNoNumberWithAComment) {
+TEST(Tokenizer, TheHashInOldWindowsNansStartsNoComment) {
   EXPECT_EQ(Words("2 1.#QNAN 3"), "2@1:1! 1.#QNAN@1:3 3@1:11 ");
   EXPECT_EQ(Words("-1.#IND00 1.#INF"), "-1.#IND00@1:1! 1.#INF@1:11 ");
   EXPECT_EQ(Words("1#comment 1.#comment\n1.#information"), "1@1:1! 1.@2:1! ");
 }
 
-TEST(Tokenizer, AQuotedNameIsOneWordUpToItsQuoteOrTheEndOfItsLine) {
+TEST(Tokenizer, QuotedNamesEndAtTheirQuoteOrLine) {
   const auto words = [](const std::string& bytes) {
     const Text text{"t", bytes};
     Tokenizer tokens(text, Tokenizer::Comments::hash, Tokenizer::Joints::none, Tokenizer::Quotes::names);

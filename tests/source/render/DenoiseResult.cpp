@@ -26,7 +26,7 @@ RenderSettings Indirect(int samples) {
 
 project::Stage Room() { return project::Stage(project::Root() / "scenes" / "indirect.scn"); }
 
-TEST(DenoiseResult, TheErrorOfIndirectLightFallsByMoreThanHalfAndSoIsClaimed) {
+TEST(DenoiseResult, MoreThanHalvesTheErrorOfIndirectLightAsClaimed) {
   const project::Stage stage = Room();
   std::vector<R2::Image> references;
   for (const std::uint64_t seed : {4711, 4712}) {
@@ -66,7 +66,7 @@ TEST(DenoiseResult, NoBitDependsOnThreadsOrTiles) {
   EXPECT_EQ(one.rays.Total(), three.rays.Total());
 }
 
-TEST(DenoiseResult, WithoutItNothingIsFilteredAndTwoStreamsAreNotTaken) {
+TEST(DenoiseResult, WithoutDenoisingThereIsOneStreamAndNoFilter) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(4);
   const RenderResult plain = project::Render(stage, settings);
@@ -76,7 +76,7 @@ TEST(DenoiseResult, WithoutItNothingIsFilteredAndTwoStreamsAreNotTaken) {
   EXPECT_GT(project::Render(stage, settings).rays[RayKind::camera].rays, plain.rays[RayKind::camera].rays);
 }
 
-TEST(DenoiseResult, WhereALibraryFailsThePictureIsAsItWasRenderedAndTheResultSaysWhy) {
+TEST(DenoiseResult, AFailingLibraryLeavesTheImageAndSaysWhy) {
   if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(4);
@@ -91,7 +91,7 @@ TEST(DenoiseResult, WhereALibraryFailsThePictureIsAsItWasRenderedAndTheResultSay
   EXPECT_TRUE(project::Render(stage, settings).image == result.image);
 }
 
-TEST(DenoiseResult, WorksForACropAFilterAndBlocksOfDifferentSampleCounts) {
+TEST(DenoiseResult, WorksWithCropsFiltersAndUnevenSampleCounts) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(64);
   settings.denoise = true;
@@ -144,7 +144,7 @@ TEST(DenoiseResult, ACropHasThePixelsOfTheWhole) {
 
 // Squared errors are means over pixels, so those of parts have that of the whole as their mean. How much of a denoised
 // one is bias is guessed for all pixels together, which here changes half a percent.
-TEST(DenoiseResult, TheErrorsOfPartsAddUpToThatOfTheWhole) {
+TEST(DenoiseResult, ErrorsOfPartsAddUpToTheWhole) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(2);
   settings.denoise = true;
@@ -161,7 +161,7 @@ TEST(DenoiseResult, TheErrorsOfPartsAddUpToThatOfTheWhole) {
 }
 
 // Around it there is noise, in what is rendered for its sake.
-TEST(DenoiseResult, TheErrorOfACropIsThatOfItsOwnPixels) {
+TEST(DenoiseResult, ACropsErrorCountsItsOwnPixelsAlone) {
   const project::Stage stage(project::FromText(
       "camera 0 2 6  0 -.3 -1  0 1 0  .5  .1 100 background .2 .3 .4 area_light 1 1 1  0 4 1  0 -1 0  1  1 0 0 "
       "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1 1 0 box 0  -4 -.1 -4  4 0 4 sphere 0  0 .8 0  .8"));
@@ -178,7 +178,7 @@ TEST(DenoiseResult, TheErrorOfACropIsThatOfItsOwnPixels) {
   EXPECT_EQ(part.pixels_total, 4 * 48);
 }
 
-TEST(DenoiseResult, OnlyTheCropIsRenderedForWhoeverWantsToKnowWhatItCosts) {
+TEST(DenoiseResult, CostMeasurementsRenderOnlyTheCrop) {
   RenderSettings settings = Indirect(4);
   settings.denoise = true;
   settings.crop = PixelRectangle{20, 20, 30, 30};
@@ -191,7 +191,7 @@ TEST(DenoiseResult, OnlyTheCropIsRenderedForWhoeverWantsToKnowWhatItCosts) {
 }
 
 // Glass beside glass: 128 rays of each pixel, each a tree of reflections, took twenty times as long as the picture.
-TEST(DenoiseResult, GuidesAreRefinedBySixRaysForEachCameraRayAtMost) {
+TEST(DenoiseResult, RefiningGuidesTakesAtMostSixRaysPerCameraRay) {
   for (const char* scene : {"glass", "hello", "glossy", "indirect", "refraction", "lens"})
     for (const RenderMode mode : {RenderMode::whitted, RenderMode::path})
       for (const int samples : {2, 16}) {
@@ -239,7 +239,7 @@ TEST(DenoiseResult, ItsPhasesAreToldEachUpToItsEnd) {
   EXPECT_EQ(last.done, last.total);
 }
 
-TEST(DenoiseResult, StoppedMeanwhileItKeepsThePictureAsRenderedAndGoesOnToTheSameBits) {
+TEST(DenoiseResult, KeepsTheRenderedImageWhenStoppedAndResumesExactly) {
   const project::Stage stage = Room();
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   RenderSettings settings = Indirect(4);
@@ -271,7 +271,7 @@ TEST(DenoiseResult, StoppedMeanwhileItKeepsThePictureAsRenderedAndGoesOnToTheSam
 }
 
 // The more rays the render took, the more the guides may take: those of work that was thrown away must not count.
-TEST(DenoiseResult, BrokenOffAnywhereAndGoneOnWithItIsTheSameToTheBit) {
+TEST(DenoiseResult, ResumedFromAnywhereIsTheSameBitForBit) {
   const project::Stage stage(project::Root() / "scenes" / "glass.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   RenderSettings settings;
@@ -321,7 +321,7 @@ TEST(DenoiseResult, AReplayOfItsSampleAllocationIsTheSamePicture) {
   EXPECT_TRUE(project::Render(stage, settings).image == first.image);
 }
 
-TEST(DenoiseResult, AReplayRefinesGuidesByAsManyRaysAsItIsToldOrIsNotDenoised) {
+TEST(DenoiseResult, AReplayRefinesGuidesAsToldOrIsNotDenoised) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(8);
   settings.denoise = true;

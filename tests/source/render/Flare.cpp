@@ -60,7 +60,7 @@ TEST(Flare, HasGhostsOppositeTheLampThroughTheMiddle) {
   EXPECT_EQ(Luminance(image.At(40 - 19, 30 + 19)), 0);
 }
 
-TEST(Flare, OfWhatIsHiddenBehindOrBesideTheImageIsNone) {
+TEST(Flare, IsAbsentForLampsOutOfSight) {
   EXPECT_GT(Sum(Picture("point_light 1 1 1  2 1 -10  1 0 0 material 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 "
                         "sphere 0 -2 1 -5 .5")),
             1);
@@ -85,7 +85,7 @@ TEST(Flare, FadesAsItsLampGoesBehindAnEdge) {
   EXPECT_GE(between, 4);
 }
 
-TEST(Flare, IsThatOfTheWholeInAPartAndForEveryAccelerator) {
+TEST(Flare, IsTheSameInCropsWithEveryAccelerator) {
   const std::string more =
       "point_light 1 .8 .5  2 1 -10  1 0 0 sphere_light .5 .5 1  -1 -1 -10  .3  1 0 0 sphere -1  0 0 -20 3";
   const R2::Image whole = Picture(more);
@@ -138,7 +138,7 @@ TEST(Flare, IsOnlyInModesThatShowLight) {
   EXPECT_EQ(of_light, 5);
 }
 
-TEST(Flare, OfDefaultLightsIsNoneWhereSurfacesShineInTheirStead) {
+TEST(Flare, IgnoresDefaultLightsWhereSurfacesShineInstead) {
   // The default lights are directional; the first comes from behind the camera's back, seen when it is turned around.
   Scene scene = project::FromText("camera 0 0 0  1 1 1  0 1 0  1.2  1 100\n"
                                   "material 0 0 0 0 0 0 0 0 0 0 0 0 1 1 1 1 1 0 sphere 0  -9 -9 -9 1\n");

@@ -160,7 +160,7 @@ void ExpectSame(const RenderResult& whole, const RenderResult& assembled) {
   EXPECT_EQ(whole.error->freedom, assembled.error->freedom);
 }
 
-TEST(Parts, OfAnyNumberInAnyOrderGiveTheImageOfOneRender) {
+TEST(Parts, InAnyNumberAndOrderMakeTheSameImage) {
   for (const auto& [name, words] : cases) {
     const project::Stage stage(project::Root() / "scenes" / (std::string(name) + ".scn"));
     const RenderSettings settings = SettingsOf(*stage.scene, words);
@@ -215,7 +215,7 @@ RenderState StateOf(const project::Stage& stage, RenderSettings settings, const 
   return kept;
 }
 
-TEST(Parts, WithBlocksOfOthersAreRefusedAndOtherSumsAreFound) {
+TEST(Parts, WithForeignBlocksOrDifferingSumsAreDetected) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   RenderSettings settings = SettingsOf(*stage.scene, "-samples 4");
   const Film film = EmptyFilmOf(settings);

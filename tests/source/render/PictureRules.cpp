@@ -79,7 +79,7 @@ TEST(PictureRules, AShadowBiasLetsNearThingsCastNoShadow) {
   EXPECT_EQ(seen("shadow_bias .3"), 1);
 }
 
-TEST(PictureRules, AShadowBiasLetsNearThingsNotBeSeenThroughGlassOfAnyIndex) {
+TEST(PictureRules, AShadowBiasHidesNearThingsBehindAnyGlass) {
   const auto seen = [](const std::string& bias, const std::string& index) {
     RenderSettings settings;
     settings.width = settings.height = 1;

@@ -80,7 +80,7 @@ TEST(PixelTrace, SamplesAreThoseOfThePicture) {
 }
 
 // A picture whose error is measured is two pictures of half the samples. The pixel's rays were once all of the first.
-TEST(PixelTrace, SamplesOfAPictureWithTwoStreamsAreHalfOfEach) {
+TEST(PixelTrace, SamplesAreHalfFromEachOfTwoStreams) {
   RenderSettings settings = Settings("whitted", 40, 8);
   settings.trace.shadow_samples = 1;
   settings.budget.error = ErrorTarget{1e-4};
@@ -121,7 +121,7 @@ TEST(DebugPixel, WritesAllDigitsWhereAsked) {
   EXPECT_EQ(DebugPixel(stage.world, *accelerator, settings, 256, 256).find(ToText(x)), std::string::npos);
 }
 
-TEST(PixelTrace, TextureCoordinatesAreThoseOfModeUvThoughTheMaterialHasNoUseForThem) {
+TEST(PixelTrace, TextureCoordinatesMatchModeUvWithoutATexture) {
   const project::Stage stage(
       project::FromText("camera 0 0 3  0 0 -1  0 1 0  .3 .01 100\n"
                         "material 0 0 0  .5 .5 .5  0 0 0  0 0 0  0 0 0  1 1 0\n"
@@ -137,7 +137,7 @@ TEST(PixelTrace, TextureCoordinatesAreThoseOfModeUvThoughTheMaterialHasNoUseForT
   }
 }
 
-TEST(PixelTrace, ABlackSampleOnAnOutlineIsSaidToBeOne) {
+TEST(PixelTrace, BlackSamplesOnOutlinesAreReportedAsSuch) {
   RenderSettings settings = Settings("whitted", 60);
   settings.trace.outline.width = 4;
   const Traced traced("hello.scn", settings);

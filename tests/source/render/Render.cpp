@@ -49,7 +49,7 @@ double ShareCutBetweenMirrors(const RenderSettings& settings) {
   return project::Render(stage, settings).share_cut;
 }
 
-TEST(Render, TheShareThatIsCutIsWhatLongerPathsWouldCarry) {
+TEST(Render, TheCutShareIsWhatLongerPathsWouldCarry) {
   constexpr double rounding = 1 / RayCounts::throughput_unit;
   RenderSettings settings = Small();
   settings.trace.min_luminance = 0;
@@ -123,7 +123,7 @@ Broken BreakOff(const World& world, const Accelerator& accelerator, RenderSettin
 }
 
 // A report wants an error after each pass; what it is told must not decide when the render ends.
-TEST(Render, APictureOfAnErrorTargetIsTheSameWithAReportOfItsPasses) {
+TEST(Render, PassReportsDoNotChangeErrorTargetedImages) {
   const project::Stage stage(project::Root() / "scenes" / "indirect.scn");
   RenderSettings settings = Small();
   settings.samples = 64;
@@ -141,7 +141,7 @@ TEST(Render, APictureOfAnErrorTargetIsTheSameWithAReportOfItsPasses) {
 }
 
 // Four samples take four passes, and the look before them one: of 12 tiles each.
-TEST(Render, BrokenOffAnywhereThePictureIsWholeOnceEachBlockWasLookedAt) {
+TEST(Render, AnInterruptedImageIsWholeAfterTheFirstLook) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   RenderSettings settings;
@@ -198,7 +198,7 @@ class Stopper : public Integrator {
   mutable std::atomic<int> asked_ = 0;
 };
 
-TEST(Render, LooksThatATimeLimitBreaksOffAreSpreadOverThePicture) {
+TEST(Render, LooksCutShortByTimeAreSpreadOverTheImage) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   RenderSettings settings;

@@ -25,7 +25,7 @@ TEST(SceneFeatures, TwoStreamsAreThoseOfTheRenderThatIsReplayed) {
   EXPECT_TRUE(Has(FeaturesOf(stage.world, settings).Names(), "two streams"));
 }
 
-TEST(SceneFeatures, BlocksThatStopEarlyAreASourceOfBiasInEveryMode) {
+TEST(SceneFeatures, StoppingBlocksEarlyCountsAsBiasInEveryMode) {
   const project::Stage stage(project::FromText(ball));
   RenderSettings settings;
   settings.budget.error = ErrorTarget{1};
@@ -62,7 +62,7 @@ TEST(CropDifferences, AreOfWhatDecidesByAllThatIsRendered) {
   EXPECT_EQ(CropDifferences(settings), Words{}) << "nothing is filtered";
 }
 
-TEST(SceneFeatures, AQuadIsOneLightInModeWhittedAndTwoInModePath) {
+TEST(SceneFeatures, QuadsAreOneLightInWhittedAndTwoInPath) {
   const project::Stage stage(project::FromText(
       "point_light 0 0 0  0 0 0  1 0 0 material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  1 1 0 "
       "quad 0  0 0 0  1 0 0  1 1 0  0 1 0"));

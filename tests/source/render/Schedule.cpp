@@ -110,13 +110,13 @@ std::vector<int> Looks(const RenderSettings& settings, double seconds_per_sample
   return looks;
 }
 
-TEST(Schedule, LooksAtTwiceAsManyPlacesUntilTheWholeSampleTakesASecond) {
+TEST(Schedule, DoublesItsLooksUntilTheRestTakesASecond) {
   EXPECT_EQ(Looks(UpTo(6), 0.5), (std::vector<int>{1}));
   EXPECT_EQ(Looks(UpTo(6), 1.9), (std::vector<int>{1, 2, 4, 8, 16, 32}));
   EXPECT_EQ(Looks(UpTo(6), 1000), (std::vector<int>{1, 2, 4, 8, 16, 32}));
 }
 
-TEST(Schedule, LooksGoOnUntilTheTimeIsOverWhichMayBreakOffTheLast) {
+TEST(Schedule, LooksContinueUntilTimeRunsOut) {
   for (const double seconds_per_sample : {11.0, 30.0, 100.0, 400.0}) {
     const double place = seconds_per_sample / BlockOrder::places;
     const double used = Looks(Within(10), seconds_per_sample).back() * place;
@@ -178,13 +178,13 @@ TEST(Schedule, AnErrorTargetHalvesTheCeilingBetweenTwoStreams) {
   }
 }
 
-TEST(Schedule, StopsWhenTheUpperEndOfTheErrorIsBelowTheTarget) {
+TEST(Schedule, StopsWhenTheErrorsUpperBoundMeetsTheTarget) {
   Schedule schedule = Deciding(ToErrorOne());
   EXPECT_FALSE(schedule.Next(Found(0.95))) << "the estimate is below 1, the end of its interval at 1.045";
   EXPECT_EQ(schedule.Next(Found(0.9)), Stop::error);
 }
 
-TEST(Schedule, TakesFewerThanTwiceTheSamplesWhenTheErrorIsNearItsTarget) {
+TEST(Schedule, LessThanDoublesTheSamplesNearItsTarget) {
   Schedule far = Deciding(ToErrorOne()), near = far;
   EXPECT_FALSE(far.Next(Found(4)));
   EXPECT_EQ(far.State().end, 16u);
@@ -194,7 +194,7 @@ TEST(Schedule, TakesFewerThanTwiceTheSamplesWhenTheErrorIsNearItsTarget) {
 }
 
 // In between (0,2)-sequences are worse than they were with fewer samples.
-TEST(Schedule, EveryPassToATargetEndsAtAMultipleOfAQuarterOfTheLastPowerOfTwo) {
+TEST(Schedule, PassesEndAtQuartersOfTheLastPowerOfTwo) {
   for (const double square : {0.92, 1.0, 1.2, 1.5, 2.0, 3.0}) {
     Schedule schedule = Deciding(ToErrorOne());
     std::uint32_t last = schedule.State().end;
@@ -220,7 +220,7 @@ TEST(Schedule, TooFewSamplesDecideNothingByTheirError) {
   EXPECT_EQ(schedule.Next(Found(0)), Stop::error);
 }
 
-TEST(Schedule, AFirstErrorEndsTheRenderWhereItMeetsTheTargetThoughItShouldNotHaveFallen) {
+TEST(Schedule, AFirstErrorMustMeetTheTargetWithDoubledSquare) {
   Schedule surely = Sampling(ToErrorOne());
   for (int i = 0; i < 2; ++i) EXPECT_FALSE(surely.Next(Found(0)));
   Schedule perhaps = surely;
@@ -243,7 +243,7 @@ TEST(Schedule, AFirstErrorThatIsTooLargeLeavesNoTrace) {
 }
 
 // One look may see a small error by luck; light that it missed would be missing from the picture.
-TEST(Schedule, ABlockClosesAfterTwoLooksAndOnlyAwayFromBlocksThatAreOpen) {
+TEST(Schedule, BlocksCloseAfterTwoLooksAwayFromOpenBlocks) {
   Schedule schedule = Deciding(ToErrorOne());
   ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1)));
   EXPECT_EQ(schedule.State().targets.samples, AllAt(16));
@@ -278,7 +278,7 @@ TEST(Schedule, OutliersWhereBlocksWouldHaveClosedKeepAllOpen) {
   }
 }
 
-TEST(Schedule, OutliersThatStayWhereTheyWereKeepOnlyTheirBlocksOpen) {
+TEST(Schedule, StationaryOutliersKeepOnlyTheirBlocksOpen) {
   Schedule schedule = Deciding(ToErrorOne());
   ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1, 0.9)));
   ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1, 0.9)));
@@ -319,7 +319,7 @@ std::pair<double, double> RunOnClock(double budget, double seconds_per_sample) {
   return {done, now};
 }
 
-TEST(Schedule, ATimeBudgetIsUsedButNotExceededAtAnySpeed) {
+TEST(Schedule, UsesUpButNeverExceedsTheTimeBudget) {
   for (double seconds_per_sample = 9; seconds_per_sample > 1e-5; seconds_per_sample *= 0.83) {
     const auto [samples, now] = RunOnClock(10, seconds_per_sample);
     EXPECT_LE(now, 9.7) << seconds_per_sample;
@@ -329,7 +329,7 @@ TEST(Schedule, ATimeBudgetIsUsedButNotExceededAtAnySpeed) {
   }
 }
 
-TEST(Schedule, BlocksThatShareTheLastOfTheTimeAreSpreadOverThePicture) {
+TEST(Schedule, TheRemainingTimeIsSpreadOverTheImage) {
   Schedule schedule = Sampling(Within(10));
   ASSERT_FALSE(schedule.Next({.now = 5, .seconds_taken = 5, .samples_taken = 1, .error = {}}));
   const Samples& targets = schedule.State().targets.samples;
@@ -347,7 +347,7 @@ TEST(Schedule, WithoutTimeForAnotherSampleStops) {
 }
 
 // A render that resumes at the very end of a pass has not yet seen how fast it is.
-TEST(Schedule, WhereNoPassToldTheSpeedTheNextTakesOneSample) {
+TEST(Schedule, AtUnknownSpeedTheNextPassTakesOneSample) {
   Schedule schedule(Within(10), Grid(), false);
   schedule.Resume({{AllAt(64)}, {}, 64});
   Schedule late = schedule;
@@ -366,7 +366,7 @@ PassOutcome Lifelike(const Schedule& schedule) {
   return Found(squares);
 }
 
-TEST(Schedule, ManyMachinesAreToldToGoAsFarAsTheirPaceAllows) {
+TEST(Schedule, ManyMachinesGoAsFarAsTheirPaceAllows) {
   Schedule one = Sampling(Within(100)), many = Sampling(Within(100));
   PassOutcome pass{.now = 1, .seconds_taken = 1, .samples_taken = 1, .error = {}};
   EXPECT_FALSE(one.Next(pass));
@@ -382,7 +382,7 @@ TEST(Schedule, ManyMachinesAreToldToGoAsFarAsTheirPaceAllows) {
   EXPECT_EQ(with_error.State().end, 2u) << "errors decide at samples that double";
 }
 
-TEST(Schedule, AReplayEndsWithTheSamplesOfTheRenderItRepeats) {
+TEST(Schedule, AReplayEndsWithTheOriginalSamples) {
   Schedule schedule = Deciding(ToErrorOne());
   Replay replay{true, PlannedSamples(ToErrorOne()), {}, {}, {}};
   std::optional<Stop> stop;
@@ -466,9 +466,9 @@ std::optional<Stop> EndOfStalled(const RenderSettings& settings) {
   return stop;
 }
 
-TEST(Schedule, AnErrorThatDoesNotFallEndsWhatNothingElseWould) { EXPECT_EQ(EndOfStalled(ToErrorOne()), Stop::stall); }
+TEST(Schedule, AStalledErrorEndsWhatNothingElseWould) { EXPECT_EQ(EndOfStalled(ToErrorOne()), Stop::stall); }
 
-TEST(Schedule, AnErrorThatDoesNotFallEndsNothingThatHasAnotherEnd) {
+TEST(Schedule, AStalledErrorEndsNothingThatHasAnotherEnd) {
   EXPECT_EQ(EndOfStalled(ToErrorOne(1 << 20)), std::nullopt);
   RenderSettings settings = ToErrorOne();
   settings.budget.seconds = 1000;
@@ -483,7 +483,7 @@ PassOutcome UnlikeInCorner(double levels) {
   return pass;
 }
 
-TEST(Schedule, OfNeighborsSendsOnBlocksOfUnlikePixelsToAllSamplesAtOnce) {
+TEST(Schedule, OfNeighborsGivesUnlikeBlocksAllSamplesAtOnce) {
   RenderSettings settings = UpTo(9);
   settings.budget.adaptive = Adaptive::neighbors;
   Schedule schedule(settings, Grid(), false);
@@ -503,7 +503,7 @@ TEST(Schedule, OfNeighborsSendsOnBlocksOfUnlikePixelsToAllSamplesAtOnce) {
   EXPECT_EQ(alike.Next(UnlikeInCorner(0.99)), Stop::samples) << "a level or less is alike";
 }
 
-TEST(Schedule, OfNeighborsGoesOnWhereItStoodWithMoreSamplesForTheSameBlocks) {
+TEST(Schedule, OfNeighborsResumesTheSameBlocksWithMoreSamples) {
   RenderSettings settings = UpTo(9);
   settings.budget.adaptive = Adaptive::neighbors;
   Samples corner = AllAt(1);
@@ -515,7 +515,7 @@ TEST(Schedule, OfNeighborsGoesOnWhereItStoodWithMoreSamplesForTheSameBlocks) {
   EXPECT_EQ(schedule.State().targets.samples, corner);
 }
 
-TEST(Schedule, OfNeighborsLooksAtNoneWithABudgetOrWhereCostsAreShown) {
+TEST(Schedule, OfNeighborsIsOffForBudgetsAndCostModes) {
   RenderSettings settings = ToErrorOne(9);
   settings.budget.adaptive = Adaptive::neighbors;
   Schedule to_error(settings, Grid(), false);

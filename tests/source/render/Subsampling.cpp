@@ -22,7 +22,7 @@ RenderSettings Settings(int apart, int width = 90, int height = 70) {
   return settings;
 }
 
-TEST(Subsampling, OnlyPixelsOfTheLatticeAreTracedAndTheyAreThoseOfTheWhole) {
+TEST(Subsampling, OnlyLatticePixelsAreTracedAndMatchTheWhole) {
   const project::Stage stage(Hello());
   const R2::Image whole = project::Render(stage, Settings(1)).image;
   for (const int apart : {2, 4, 8, 16}) {

@@ -51,7 +51,7 @@ TEST(DiscreteDistribution, ProbabilitiesAreTheWeightsSharesAndSumToOne) {
   EXPECT_NEAR(sum, 1, 1e-12);
 }
 
-TEST(DiscreteDistribution, AWeightOfZeroIsNeverDrawnAndBothEndsAreInside) {
+TEST(DiscreteDistribution, ZeroWeightsAreNeverDrawnEvenAtTheEnds) {
   const ray::DiscreteDistribution discrete(std::vector<double>{0, 1, 0, 0, 3, 0});
   for (const double u : {0.0, 0.1, 0.25 - 0x1p-54, 0.25, 0.5, last, 1.0}) {
     const auto drawn = discrete.Draw(u);

@@ -74,7 +74,7 @@ TEST(Points, AreSpreadEvenlyHoweverManyThereAre) {
   }
 }
 
-TEST(Points, OfMoreThanFitInto32BitsAreInAsManyStrataAsFit) {
+TEST(Points, Beyond32BitsUseAsManyStrataAsFit) {
   const ray::SampleIndex at{ray::RandomKey(5), 3};
   const auto stratified = ray::SamplerKind::stratified;
   const ray::Points points = at.PointsFor(1, stratified, 1u << 30, 4),

@@ -11,7 +11,7 @@
 namespace ray {
 namespace {
 
-TEST(Sobol, APowerOfTwoOfPointsPutsOneIntoEveryBoxOfTheirShare) {
+TEST(Sobol, PowersOfTwoPutOnePointInEveryBox) {
   for (std::uint64_t key = 0; key < 20; ++key)
     for (int log = 1; log <= 10; ++log) {
       const std::uint32_t n = 1u << log, first = static_cast<std::uint32_t>(key % 3) * n;
@@ -37,7 +37,7 @@ TEST(Sobol, EveryDimensionPutsOnePointIntoEveryInterval) {
   }
 }
 
-TEST(Points, ManyTogetherAreThoseThatAreAskedForOneByOne) {
+TEST(Points, InBatchesEqualSingleOnes) {
   for (const SamplerKind kind : {SamplerKind::sobol, SamplerKind::random, SamplerKind::stratified, SamplerKind::grid})
     for (const int dimension : {0, 4}) {
       const Points points(kind, RandomKey(9), 40, RandomKey(8), dimension);
@@ -115,8 +115,8 @@ void ExpectSlopeOfTheDefinition(double steepest_known) {
 }
 
 // A hash that also lets low bits act on high ones falls back to -1/2 here.
-TEST(Owen, ErrorsInFourDimensionsFallAsSteeplyAsByTheDefinition) { ExpectSlopeOfTheDefinition<4>(-1.2); }
-TEST(Owen, ErrorsInSixDimensionsFallAsSteeplyAsByTheDefinition) { ExpectSlopeOfTheDefinition<6>(-1.0); }
+TEST(Owen, ErrorsInFourDimensionsFallAtTheDefinitionsRate) { ExpectSlopeOfTheDefinition<4>(-1.2); }
+TEST(Owen, ErrorsInSixDimensionsFallAtTheDefinitionsRate) { ExpectSlopeOfTheDefinition<6>(-1.0); }
 
 TEST(Sampler, NumbersOfNeighboringPixelsAndSeedsAreNotRelated) {
   // Correlation of first coordinates over a million pairs: below 4 sigma = 4 / 1000.

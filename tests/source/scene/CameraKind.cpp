@@ -122,7 +122,7 @@ TEST(CameraKind, AViewOfItsOwnShiftsAndSqueezesEveryProjection) {
   }
 }
 
-TEST(CameraKind, ItsLineReadsBackAsTheSameCameraToTheBit) {
+TEST(CameraKind, ItsLineReadsBackBitForBit) {
   Draw draw(4103);
   for (const CameraKind* kind : CameraKinds())
     for (int i = 0; i < 50; ++i) {

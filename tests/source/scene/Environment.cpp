@@ -86,7 +86,7 @@ TEST(Environment, LatitudeAndLongitudeAreWhereDocumented) {
   ExpectTheSixColors(environment);
 }
 
-TEST(Environment, EveryTexelOfALatitudeLongitudeMapIsFoundInItsOwnDirection) {
+TEST(Environment, LatitudeLongitudeTexelsAreFoundInTheirDirections) {
   const R2::Image image = RandomImage(32, 16);
   const Environment environment(image);
   for (int y = 0; y < 16; ++y)
@@ -197,7 +197,7 @@ R2::Image DirectionsOnACross(bool is_upright, int size) {
   return image;
 }
 
-TEST(Environment, FacesOfACrossAreTurnedSoThatTheirEdgesMeet) {
+TEST(Environment, FacesOfACrossMeetAtTheirEdges) {
   for (const bool is_upright : {true, false}) {
     const Environment environment(DirectionsOnACross(is_upright, 128));
     for (std::uint64_t i = 0; i < 10'000; ++i) {
@@ -276,7 +276,7 @@ TEST(Environment, ADrawnDirectionTellsWhatArrivesFromIt) {
   }
 }
 
-TEST(Environment, ManyDrawnTogetherAreThoseDrawnOneByOneBitForBit) {
+TEST(Environment, BatchedDrawsEqualSingleOnesBitForBit) {
   for (const R2::Image& image : {RandomImage(64, 32), RandomImage(2, 1), RandomImage(40, 40), R2::Image(8, 4)}) {
     const Environment environment(image);
     LightSamples samples;
@@ -300,7 +300,7 @@ TEST(Environment, ManyDrawnTogetherAreThoseDrawnOneByOneBitForBit) {
   }
 }
 
-TEST(Environment, ManySeenTogetherAreThoseSeenOneByOneBitForBit) {
+TEST(Environment, BatchedLookupsEqualSingleOnesBitForBit) {
   const Environment environment(RandomImage(512, 256));
   std::vector<R3::Vector> directions;
   for (std::uint64_t i = 0; i < 20'000; ++i)
@@ -389,7 +389,7 @@ TEST(Environment, HugeAndTinyValuesNeitherOverflowNorVanish) {
     }
 }
 
-TEST(Environment, ASingleBrightPixelIsNotLostOnTheWayToTheMap) {
+TEST(Environment, ASingleBrightPixelAlwaysReachesTheMap) {
   const auto expect_kept = [](int width, int height, int x, int y) {
     R2::Image image(width, height);
     image.Set(x, y, {1, 1, 1});

@@ -52,7 +52,7 @@ TEST(Lights, WhatArrivesIsFiniteFromFarAndNear) {
   }
 }
 
-TEST(Lights, SamplesMadeTogetherAreThoseMadeOneByOneBitForBit) {
+TEST(Lights, BatchedSamplesEqualSingleOnesBitForBit) {
   const RandomKey key(5);
   for (const LightKind* kind : LightKinds()) {
     const auto light = kind->make(kind->example);
@@ -170,7 +170,7 @@ TEST(AreaLight, ShinesToOneSideWithTheCosine) {
   EXPECT_FALSE(light->Illuminate({1, 0, 0}, {0.5, 0.5}));
 }
 
-TEST(Extremes, E6_ADiscOfNoSizeIsAPointAndOneSeenEdgeOnIsDark) {
+TEST(Extremes, E6_SizelessDiscsArePointsAndEdgeOnOnesDark) {
   const auto point = Make("area_light", {1, 1, 1, 0, 0, 0, 0, 0, -1, 0, 1, 0, 0});
   EXPECT_FALSE(point->IsExtended());
   EXPECT_EQ(Place(*point, {0, 0, -2}, {0.9, 0.1}), (R3::Point{0, 0, 0}));
@@ -179,7 +179,7 @@ TEST(Extremes, E6_ADiscOfNoSizeIsAPointAndOneSeenEdgeOnIsDark) {
   EXPECT_FALSE(disc->Illuminate({3, 0, 0}, {0.9, 0.1}));
 }
 
-TEST(Lights, ADirectionOfZeroIsAnErrorThatPointsAtIt) {
+TEST(Lights, ErrorsPointAtAZeroDirection) {
   const auto index = [](const std::string& name, const std::vector<double>& arguments) {
     try {
       Make(name, arguments);

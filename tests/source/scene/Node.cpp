@@ -50,7 +50,7 @@ void* BuildAndDestroy(void*) {
   return nullptr;
 }
 
-TEST(Extremes, H1_AMillionLevelsAreBuiltAndDestroyedOnASmallStack) {
+TEST(Extremes, H1_AMillionLevelsAreBuiltAndDestroyedWithLittleStack) {
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
   ASSERT_EQ(pthread_attr_setstacksize(&attributes, 256 * 1024), 0);

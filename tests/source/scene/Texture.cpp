@@ -22,7 +22,7 @@ TEST(Texture, ShowsEachTexelPureAtItsCenter) {
 }
 
 // A ray never meets a middle exactly.
-TEST(Texture, ShowsATexelPureAtItsCenterAlsoWhereTheCoordinateIsRounded) {
+TEST(Texture, ShowsATexelPureDespiteRoundedCoordinates) {
   for (const int columns : {2, 3, 16, 1000}) {
     R2::Image image(columns, 1);
     for (int x = 1; x < columns; x += 2) image.Set(x, 0, {1, 1, 1});
@@ -41,7 +41,7 @@ TEST(Texture, BlendsBetweenCentersAndAcrossTheSeam) {
   EXPECT_EQ(texture.At({0.5, 0.5}), (R2::Color{0.5, 0.5, 0.5}));
 }
 
-TEST(Texture, RepeatsBeyondTheUnitSquareAndStaysInsideTheImageAtAnyCoordinate) {
+TEST(Texture, RepeatsAndStaysInsideTheImageAtAnyCoordinate) {
   const ray::Texture texture = TwoByTwo();
   EXPECT_EQ(texture.At({3.25, -1.75}), texture.At({0.25, 0.25}));
   for (const double far : {1e9, -1e9, 1e300, -1e-300, -0.0, 1.0, -1e-17}) {
@@ -51,7 +51,7 @@ TEST(Texture, RepeatsBeyondTheUnitSquareAndStaysInsideTheImageAtAnyCoordinate) {
 }
 
 // Half a turn from column 0 of three is the middle between columns 1 and 2.
-TEST(Texture, BeyondAPoleLiesTheSameRowHalfATurnFurther) {
+TEST(Texture, ContinuesBeyondAPoleHalfATurnFurther) {
   R2::Image image(3, 2);
   for (int x = 0; x < 3; ++x) image.Set(x, 0, {1, 1, 1}), image.Set(x, 1, {0.25 * x, 0, 0});
   const ray::Texture texture{image};

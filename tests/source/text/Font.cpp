@@ -33,7 +33,7 @@ TEST(Font, OnlyTheSpaceIsEmpty) {
     EXPECT_EQ(CellOf(glyph) == std::vector<std::uint8_t>(ray::glyph_width * ray::glyph_height), glyph == 0) << glyph;
 }
 
-TEST(Font, ACharacterThatIsNotAsciiIsOneBoxHoweverManyBytesItHas) {
+TEST(Font, EveryNonAsciiCharacterIsOneBox) {
   EXPECT_EQ(ray::GlyphOf(' '), 0);
   EXPECT_EQ(ray::GlyphOf('~'), '~' - ' ');
   EXPECT_EQ(ray::GlyphOf('\n'), ray::box_glyph);

@@ -37,7 +37,7 @@ std::string FirstOfTheNearest(const std::string& word, const std::vector<std::st
 }
 
 // Words that cannot be the nearest are given up early; none that is may be lost by that.
-TEST(Suggestion, IsTheFirstOfTheNearestWordsWhenAThirdOfTheLettersMayBeWrong) {
+TEST(Suggestion, IsTheFirstOfTheNearestWords) {
   std::mt19937 random(1);
   int suggested = 0;
   for (int i = 0; i < 20'000; ++i) {

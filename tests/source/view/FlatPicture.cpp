@@ -28,7 +28,7 @@ TEST_F(ViewerTest, TheRenderedPictureIsShownFlatUntilEscape) {
   EXPECT_EQ(viewer_->Show().split, -1);
 }
 
-TEST_F(ViewerTest, TheWheelZoomsTheFlatPictureAboutThePointerAndADragMovesIt) {
+TEST_F(ViewerTest, TheWheelZoomsAndADragMovesTheFlatImage) {
   Do("key S\nwait trace\nkey I\nmove 10.5 20.5");
   const Camera before = camera();
   const R2::Point pixel = viewer_->state().PictureUnderPointer();
@@ -48,7 +48,7 @@ TEST_F(ViewerTest, TheWheelZoomsTheFlatPictureAboutThePointerAndADragMovesIt) {
   EXPECT_NEAR(viewer_->Show().picture->place.width, 0.1 * width, 1e-9);
 }
 
-TEST_F(ViewerTest, TheSliderShowsThePreviewOrTheReferenceBesideTheFlatPicture) {
+TEST_F(ViewerTest, TheSliderShowsPreviewOrReferenceBesideTheImage) {
   Do("key S\nwait trace\nkey I\ndown left 64 20\nmove 50 20\nmove 16 20\nup left 16 20");
   EXPECT_EQ(viewer_->Show().split, 16);
   EXPECT_FALSE(viewer_->Show().beside);

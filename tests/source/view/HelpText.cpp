@@ -7,7 +7,7 @@
 
 namespace {
 
-TEST(HelpText, LinesOfAMessageHaveRoomAndBreakOnlyWordsThatHaveNone) {
+TEST(HelpText, MessageLinesFitAndBreakOnlyWordsThatDoNot) {
   EXPECT_EQ(ray::InLines("as it is,  with blanks", 40), std::vector<std::string>{"as it is,  with blanks"});
   EXPECT_EQ(ray::InLines("saved to a/long/name", 9), (std::vector<std::string>{"saved to", "a/long/na", "me"}));
   EXPECT_EQ(ray::InLines("ab", 0), (std::vector<std::string>{"a", "b"}));

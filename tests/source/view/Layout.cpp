@@ -96,7 +96,7 @@ void ExpectRead(const FrameState& shown) {
     }
 }
 
-TEST_F(Layout, LinesOfTextAreInTheWindowBesideThePanelsApartAndReadOverAnything) {
+TEST_F(Layout, TextIsReadableAndOverlapsNeitherPanelsNorText) {
   InEveryMode([](const FrameState& shown) {
     const LetterSize letters = LettersAt(shown.line_width);  // lines are as wide as the screen is dense
     ExpectWithin(shown, letters);

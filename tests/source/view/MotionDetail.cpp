@@ -54,13 +54,13 @@ std::vector<int> StepsOf(const std::vector<DrawingDetail>& details) {
   return steps;
 }
 
-TEST(MotionDetail, StaysInFullWhereADrawingIsAsFastAsAScreen) {
+TEST(MotionDetail, StaysFullWhereDrawingKeepsUpWithTheScreen) {
   MotionDetail detail;
   for (const DrawingDetail& drawn : Moving(detail, 4, ByPixels(0.008))) EXPECT_EQ(drawn, DrawingDetail{});
   EXPECT_FALSE(detail.RefinementTime());
 }
 
-TEST(MotionDetail, TakesTheFewestPixelsLessThatMakeADrawingAsFastAsAScreen) {
+TEST(MotionDetail, DropsTheFewestPixelsThatReachTheScreenRate) {
   for (const auto& [full, step] : {std::pair{0.017, 2}, {0.06, 2}, {0.07, 3}, {0.15, 3}, {0.16, 4}, {100.0, 9}}) {
     MotionDetail detail;
     EXPECT_EQ(StepsOf(Moving(detail, 2, ByPixels(full))), (std::vector{step, step})) << full;
@@ -86,7 +86,7 @@ TEST(MotionDetail, IsSmoothOnceTheViewRests) {
   EXPECT_FALSE(detail.RefinementTime());
 }
 
-TEST(MotionDetail, IsFirstRoughUntilItIsKnownHowLongThatTakes) {
+TEST(MotionDetail, StartsRoughUntilItsTimeIsKnown) {
   MotionDetail detail;
   EXPECT_FALSE(detail.For(ViewOf(0), 0).is_smooth);
   detail.Took(0.01);
@@ -94,7 +94,7 @@ TEST(MotionDetail, IsFirstRoughUntilItIsKnownHowLongThatTakes) {
   EXPECT_EQ(detail.For(ViewOf(0), 0), DrawingDetail{});
 }
 
-TEST(MotionDetail, StaysRoughAtRestWhereSmoothEdgesWouldKeepEventsWaiting) {
+TEST(MotionDetail, StaysRoughAtRestIfSmoothingWouldDelayEvents) {
   const auto slow_when_smooth = [](double rough, double smooth) {
     return [=](const DrawingDetail& detail) { return detail.is_smooth ? smooth : rough; };
   };
@@ -106,7 +106,7 @@ TEST(MotionDetail, StaysRoughAtRestWhereSmoothEdgesWouldKeepEventsWaiting) {
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(Rest(quick, slow_when_smooth(0.15, 0.6), ViewOf(i), i).is_smooth);
 }
 
-TEST(MotionDetail, HasFewLightsAndTrianglesWhereADrawingAtRestIsSlow) {
+TEST(MotionDetail, HasFewLightsAndTrianglesWhenFullDrawingIsSlow) {
   for (const auto& [full, is_sparse] : {std::pair{0.03, false}, {0.05, true}, {2.0, true}}) {
     MotionDetail detail;
     for (const DrawingDetail& drawn : Moving(detail, 5, [&, seconds = full](const DrawingDetail& how) {
@@ -156,7 +156,7 @@ TEST(MotionDetail, LeavesPixelsEnoughInSmallWindows) {
   }
 }
 
-TEST(MotionDetail, DrawsAViewThatDoesNotMoveInAllPixelsHoweverOften) {
+TEST(MotionDetail, DrawsAStillViewInAllPixelsHoweverOften) {
   MotionDetail detail;
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(detail.For(ViewOf(0, {512, 512}), 0.01 * i).pixel_step, 1);

@@ -12,7 +12,7 @@ namespace ray {
 namespace {
 
 // Waiting for a whole image to see one corner of it wastes an hour.
-TEST_F(ViewerTest, ACropDraggedWithControlIsAllThatSRendersUntilEscapeClearsIt) {
+TEST_F(ViewerTest, SRendersOnlyTheDraggedCropUntilEscape) {
   Do("down right 8 6 Control\nmove 40 30\nup right 40 30 Control\n");
   EXPECT_EQ(viewer_->Message(), "crop of 33x25 pixels; S renders it, Escape clears it");
   EXPECT_FALSE(viewer_->navigator().IsDragging()) << "the camera stays";
@@ -41,7 +41,7 @@ TEST_F(ViewerTest, ACropDraggedWithControlIsAllThatSRendersUntilEscapeClearsIt) 
   EXPECT_EQ(host_.traced[1].Width(), width);
 }
 
-TEST_F(ViewerTest, ACropOfAnotherSizeOfTheWindowIsForgottenAndOneBeyondItIsCut) {
+TEST_F(ViewerTest, CropsAreCutToTheWindowAndForgottenOnResize) {
   Do("down right 30 20 Control\nmove 900 -50\nup right 900 -50 Control\n");
   EXPECT_EQ(viewer_->state().crop, (PixelRectangle{30, 0, width, 21}));
   Do("resize 100 80\n");
@@ -82,7 +82,7 @@ TEST_F(ViewerTest, AClickTellsWhatTheTracerHits) {
   EXPECT_NE(host_.printed.find("hello.scn:"), std::string::npos) << host_.printed;
 }
 
-TEST_F(ViewerTest, ADoubleClickSetsThePivotToThePointUnderIt) {
+TEST_F(ViewerTest, ADoubleClickSetsThePivotUnderIt) {
   Do("click left 32 24\ntick 0.1\nclick left 32 24");
   ASSERT_TRUE(viewer_->navigator().Pivot());
   const R3::Ray ray = camera().Through(32, 24, width, height);
@@ -117,7 +117,7 @@ TEST_F(ViewerTest, ClicksThatAreFarApartInTimeAreNotDouble) {
   EXPECT_FALSE(viewer_->navigator().Pivot());
 }
 
-TEST_F(ViewerTest, FlyingNeedsTheRightButtonAndGoesAsFastAsTime) {
+TEST_F(ViewerTest, FlyingNeedsTheRightButtonAndKeepsPaceWithTime) {
   const R3::Point start = camera().eye;
   Do("press W\ntick 1\nrelease W");
   EXPECT_EQ(camera().eye, start) << "W alone hides faces";
@@ -145,7 +145,7 @@ TEST_F(ViewerTest, ViewsGoBackAndForth) {
   EXPECT_TRUE(IsCameraOf(third));
 }
 
-TEST_F(ViewerTest, ASceneThatIsEditedIsReadAgainAndABrokenOneIsNot) {
+TEST_F(ViewerTest, EditedScenesAreReloadedUnlessBroken) {
   std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
   const std::filesystem::path folder = mkdtemp(name.data());
   const auto scene = folder / "scene.scn";
@@ -192,7 +192,7 @@ class SceneOnDisk : public ViewerTest {
 };
 
 // It faded after five seconds, and the scene from before looked as if it were the file's.
-TEST_F(SceneOnDisk, AMistakeStaysToBeSeenUntilTheFileIsRight) {
+TEST_F(SceneOnDisk, AMistakeStaysVisibleUntilItIsFixed) {
   Do("resize 640 480\ntick 1");
   Write("sphere -1  0 0 0  1\nspere -1  0 0 0  1\n");
   Do("tick 1\ntick 60\ntick 60");
@@ -207,7 +207,7 @@ TEST_F(SceneOnDisk, AMistakeStaysToBeSeenUntilTheFileIsRight) {
   EXPECT_EQ(viewer_->Title().find("mistakes in"), std::string::npos) << viewer_->Title();
 }
 
-TEST_F(SceneOnDisk, AFileThatIsGoneIsToldButNotOneThatIsBeingSaved) {
+TEST_F(SceneOnDisk, AMissingFileIsReportedButNotOneBeingSaved) {
   Do("resize 640 480\ntick 1");
   std::filesystem::remove(File());
   Do("tick 0.3");
@@ -225,7 +225,7 @@ TEST_F(SceneOnDisk, AFileThatIsGoneIsToldButNotOneThatIsBeingSaved) {
 }
 
 // There was no window at all, so that one had to start over and over.
-TEST_F(SceneOnDisk, ASceneThatIsWrongFromTheStartIsShownOnceItIsRight) {
+TEST_F(SceneOnDisk, AnInitiallyBrokenSceneIsShownOnceFixed) {
   Write("camera 0 0 9  0 0 -1  0 1 0  0.3 1 100\nspere -1  0 0 0  1\n");
   ParsedScene nothing;
   nothing.scene.files = {File()};

@@ -65,7 +65,7 @@ TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
   }
 }
 
-TEST_F(ViewerTest, EscapeEndsWhatIsOpenOneByOneAndNeverQuits) {
+TEST_F(ViewerTest, EscapeClosesThingsOneByOneAndNeverQuits) {
   RenderSettings slow;
   slow.samples = 100'000;
   Open(project::Root() / "scenes/hello.scn", slow);
@@ -88,7 +88,7 @@ TEST_F(ViewerTest, EscapeEndsWhatIsOpenOneByOneAndNeverQuits) {
 }
 
 // An hour of rendering is not thrown away by one slip.
-TEST_F(ViewerTest, QQuitsAtOnceOrAsksOnceWhileATraceRuns) {
+TEST_F(ViewerTest, QQuitsButAsksOnceWhileATraceRuns) {
   Do("key Q");
   EXPECT_TRUE(viewer_->IsClosed());
   RenderSettings slow;
@@ -122,7 +122,7 @@ TEST_F(ViewerTest, EscapeWithNothingRunningSaysThatThereIsNothing) {
 }
 
 // Some keys said again what the help says of them.
-TEST_F(ViewerTest, EveryKeyTellsWhatItDidAndNotWhatItIsFor) {
+TEST_F(ViewerTest, KeysReportTheirEffectNotTheirPurpose) {
   for (const bool has_something : {false, true}) {
     std::string help;
     const CopiedScenes folder;
@@ -143,7 +143,7 @@ TEST_F(ViewerTest, EveryKeyTellsWhatItDidAndNotWhatItIsFor) {
   }
 }
 
-TEST_F(ViewerTest, KeysThatTurnSomethingOnAndOffSayWhichOfThemTheyDid) {
+TEST_F(ViewerTest, ToggleKeysSayOnOrOff) {
   for (const char* key : {"E", "W", "L", "Shift+L", "Shift+C", "P", "F7", "F2", "F6", "G", "T", "X"}) {
     Do(std::string("key ") + key);
     const std::string first = viewer_->Message();

@@ -13,7 +13,7 @@
 namespace ray {
 namespace {
 
-TEST_F(ViewerTest, AnUnlitSceneSaysThatItIsSeenByALightAtTheEye) {
+TEST_F(ViewerTest, AnUnlitSceneAnnouncesTheLightAtTheEye) {
   const CopiedScenes folder;
   std::ofstream(folder / "dark.scn") << "point_light 0 0 0  0 0 0  1 0 0\nsphere -1  0 0 0  1\n";
   Open(folder / "dark.scn");
@@ -66,7 +66,7 @@ TEST_F(ViewerTest, ThePickIsMarkedAtOneSizeHoweverNear) {
   EXPECT_NEAR(extent(), before, 0.15 * before);  // less a little perspective
 }
 
-TEST_F(ViewerTest, GridRaysAreThoseOfEvery25thPixelAndStayWhenTheCameraMoves) {
+TEST_F(ViewerTest, GridRaysCoverEvery25thPixelAndStayPut) {
   Do("resize 512 512\nkey G");
   ASSERT_EQ(viewer_->Rays().Grid().size(), 441u);
   const LoadedScene& scene = viewer_->scene();
@@ -150,7 +150,7 @@ TEST_F(ViewerTest, TheCutFollowsItsRowAndPlanes) {
 }
 
 // Lines along the edges of the window looked like a mistake while S ran from the same view.
-TEST_F(ViewerTest, TheFrameOfARenderedImageIsDrawnOnlyFromElsewhere) {
+TEST_F(ViewerTest, ARenderedImageIsFramedOnlyFromElsewhere) {
   constexpr Rgba frame{255, 255, 120, 255};
   const auto has_frame = [&] {
     const FrameState shown = viewer_->Show();
@@ -165,7 +165,7 @@ TEST_F(ViewerTest, TheFrameOfARenderedImageIsDrawnOnlyFromElsewhere) {
 }
 
 // 16 samples were 16 equal rows of 53 rays each.
-TEST_F(ViewerTest, APixelHasOneCameraRayAndOneShadowRayPerLight) {
+TEST_F(ViewerTest, APixelShowsTheRaysOfOneSample) {
   RenderSettings many;
   many.samples = 16;
   Open(project::Root() / "scenes/area_light.scn", many);

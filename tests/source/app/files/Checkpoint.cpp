@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // It once stayed in the temporary folder for good, though the picture was finished.
-TEST(Checkpoint, WhatWasKeptElsewhereIsRemovedOnceItIsSavedOrThePictureIsFinished) {
+TEST(Checkpoint, ACopyKeptElsewhereIsRemovedOnceSavedOrFinished) {
   const TemporaryFolder refuge, folder;
   setenv("TMPDIR", refuge.Path().c_str(), 1);
   FileOptions files;

@@ -100,7 +100,7 @@ TEST(OutputFile, KeepsTheModeBitsOfTheFileThatItReplaces) {
   EXPECT_EQ(ReadFile(file), "new");
 }
 
-TEST(TemporaryFile, IsClosedToOthersFromItsFirstByteWhereItReplacesAClosedFile) {
+TEST(TemporaryFile, IsPrivateFromTheStartWhenReplacingAPrivateFile) {
   const TemporaryFolder folder;
   ASSERT_EQ(chmod(WriteFile(folder / "out.ppm", "old").c_str(), 0600), 0);
   TemporaryFile file(folder / "out.ppm");
@@ -123,7 +123,7 @@ TEST(OutputFile, KeepsOwnerAndGroupWhereTheSystemLetsIt) {
 }
 
 // A group that cannot be kept must not hand its rights to another group.
-TEST(OutputFile, AGroupOfOursGetsNoRightsThatAnotherGroupHad) {
+TEST(OutputFile, OurGroupGetsNoRightsOfAnotherGroup) {
   if (geteuid() != 0) GTEST_SKIP() << "only the superuser may give files away";
   const TemporaryFolder folder;
   ASSERT_EQ(chmod(folder.Path().c_str(), 0777), 0);
@@ -140,7 +140,7 @@ TEST(OutputFile, AGroupOfOursGetsNoRightsThatAnotherGroupHad) {
   EXPECT_EQ(StatusOf(file).st_mode & 0777, 0622u);
 }
 
-TEST(Extremes, K11_WhatCannotBeAPictureIsRefusedBeforeTheFirstRay) {
+TEST(Extremes, K11_ImpossibleOutputFilesAreRefusedBeforeRendering) {
   const TemporaryFolder folder;
   WriteFile(folder / "file", "");
   EXPECT_TRUE(Has(Refusal(folder.Path().string()), "it is a folder"));
@@ -185,7 +185,7 @@ TEST(Extremes, K11_ALinkStaysALinkAndItsTargetIsReplaced) {
   EXPECT_TRUE(Has(Refusal(folder / "ring.ppm"), "lead nowhere"));
 }
 
-TEST(Extremes, L3_AFolderOrFileThatTakesNothingIsFoundOutBeforeRendering) {
+TEST(Extremes, L3_UnwritableFoldersAndFilesAreRefusedBeforeRendering) {
   const TemporaryFolder folder;
   WriteFile(folder / "old.ppm", "old");
   fs::create_directory(folder / "open");
@@ -224,7 +224,7 @@ TEST(Extremes, L3_APictureWhoseFolderWentAwayIsKeptElsewhere) {
   EXPECT_TRUE(Has(message, "it is kept as '" + refuge / kept[0] + "'")) << message;
 }
 
-TEST(OutputFile, WhatADeadProcessLeftIsRemovedAndWhatALiveOneWritesIsNot) {
+TEST(OutputFile, LeftoversOfDeadProcessesAreRemovedAndOthersKept) {
   const TemporaryFolder folder;
   WriteFile(folder / ".out.ppm.raypro-1.tmp", "dead");
   WriteFile(folder / ".out.ppm.raypro-2.tmp", "alive");

@@ -64,7 +64,7 @@ bool IsSaving(const TemporaryFolder& folder, const std::vector<std::string>& old
   return false;
 }
 
-TEST(Extremes, L1_KilledAtAnyMomentTheOldPictureOrTheNewOneIsThere) {
+TEST(Extremes, L1_AKilledRunLeavesTheOldOrTheNewImage) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place("");
   const std::vector<std::string> words{place.Scene(), place / "out.ppm", "-width", "700", "-height", "700", "-quiet"};
@@ -147,7 +147,7 @@ class SmallDisk {
   bool is_mounted_ = false;
 };
 
-TEST(Extremes, L2_AFullDiskLeavesTheOldPictureAndKeepsTheNewElsewhere) {
+TEST(Extremes, L2_AFullDiskKeepsTheOldImageAndSavesElsewhere) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const TemporaryFolder refuge;
@@ -205,7 +205,7 @@ TEST(Extremes, L6_NobodyListeningCostsNoPicture) {
   }
 }
 
-TEST(Extremes, K11_StatisticsThatCannotBeWrittenAreAFailureAndTheLineNobodyAskedForIsNone) {
+TEST(Extremes, K11_UnwritableStatisticsFailOnlyIfAskedFor) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const auto words = With({place.Scene(), place / "out.ppm"}, picture_size);

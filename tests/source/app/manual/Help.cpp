@@ -44,7 +44,7 @@ std::string Entry(const OptionKind& option) {
   return "\n  " + Synopsis(option) + (Synopsis(option).size() < 23 ? " " : "\n");
 }
 
-TEST(Help, NamesEveryOptionOnceWithItsDefaultAndFitsTheScreen) {
+TEST(Help, NamesEveryOptionAndItsDefaultAndFitsTheScreen) {
   for (const Program program : scene_programs) {
     const std::string help = Help(program, "");
     for (const OptionKind& option : OptionTable(program)) {
@@ -57,7 +57,7 @@ TEST(Help, NamesEveryOptionOnceWithItsDefaultAndFitsTheScreen) {
 }
 
 // Every text that a program prints of itself speaks of its options and of no other program's.
-TEST(Help, OptionsOfTheOtherProgramAreInNoTextOfThis) {
+TEST(Help, NoTextNamesOptionsOfTheOtherProgram) {
   for (const Program program : scene_programs)
     for (const OptionKind& option : OptionTable(TheOther(program))) {
       if (FindOption(program, option.name)) continue;
@@ -93,14 +93,14 @@ TEST(Help, ShowsNoAlias) {
         EXPECT_FALSE(Has(Help(program, ""), "-" + std::string(alias) + " ")) << alias;
 }
 
-TEST(Help, TheMarkdownTableHasARowForEveryOptionWithFourCells) {
+TEST(Help, EveryOptionHasAMarkdownRowOfFourCells) {
   auto lines = Lines(Help(Program::raypro, "markdown"));
   lines.erase(std::ranges::find(lines, ""), lines.end());  // behind the table there are others
   ASSERT_EQ(lines.size(), OptionTable(Program::raypro).size() + 2);
   for (const std::string& line : lines) EXPECT_EQ(Count(line, "|") - Count(line, "\\|"), 5u) << line;
 }
 
-TEST(Help, RayviewsMarkdownNamesWhatItSharesAndHasRowsForTheRest) {
+TEST(Help, RayviewsMarkdownHasRowsForItsOwnOptionsAlone) {
   const std::string text = Help(Program::rayview, "markdown");
   for (const OptionKind& option : OptionTable(Program::rayview)) {
     const bool is_shared = option.known_to != KnownTo::rayview;
@@ -118,7 +118,7 @@ TEST(Help, TheDocumentedOptionTableIsOurs) {
     EXPECT_TRUE(Has(page, Help(program, "markdown"))) << "script/update_docs.sh brings it up to date";
 }
 
-TEST(Manual, NamesEveryOptionAndNoLineStartsWithAStrayDot) {
+TEST(Manual, NamesEveryOptionAndHasNoStrayDots) {
   for (const Program program : scene_programs) {
     const std::string page = ManualPage(program);
     EXPECT_TRUE(Has(page, ".SH NAME\n" + NameOf(program) + " \\- "));
@@ -133,7 +133,7 @@ TEST(Manual, NamesEveryOptionAndNoLineStartsWithAStrayDot) {
 }
 
 // A command that the manual forgets is one that nobody finds.
-TEST(Manual, OfScenesHasEveryCommandThatTheLanguageHasAndThatIsListed) {
+TEST(Manual, OfScenesHasEveryCommandOfTheLanguage) {
   const std::string page = ManualPage("scn", Program::raypro);
   for (const Command& command : Commands()) {
     EXPECT_EQ(Count(page, "\n.B " + WithRoffDashes(command.usage) + "\n"), 1u) << command.name;

@@ -62,7 +62,7 @@ bool IsNumber(const OptionKind& option) {
          AsNumber<double>(option) || std::holds_alternative<OneNumberOf>(option.value);
 }
 
-TEST(CommandLine, NoTwoOptionsOfAProgramShareANameOrAnAlias) {
+TEST(CommandLine, NoTwoOptionsShareANameOrAlias) {
   for (const Program program : programs) {
     std::vector<std::string> names;
     for (const OptionKind& option : OptionTable(program)) {
@@ -89,7 +89,7 @@ TEST(CommandLine, EveryOptionGivenItsDefaultChangesNothing) {
   }
 }
 
-TEST(CommandLine, EveryOptionOfAShortListTakesEachOfItsChoices) {
+TEST(CommandLine, EveryOptionTakesEachOfItsChoices) {
   for (const Program program : scene_programs)
     for (const OptionKind& option : OptionTable(program)) {
       if (!IsSetting(option)) continue;
@@ -122,7 +122,7 @@ TEST(CommandLine, DefaultsAreTheCoursesAndTheSpecifications) {
   EXPECT_EQ(o.parse.include_depth, 64);
 }
 
-TEST(CommandLine, OneDashTwoDashesAndAnEqualsSignMeanTheSame) {
+TEST(CommandLine, OneDashTwoDashesAndEqualsMeanTheSame) {
   for (const Words& spelling : {Words{"-width", "512"}, {"--width", "512"}, {"-width=512"}, {"--width=512"}}) {
     Words words = spelling;
     words.insert(words.end(), {"in.scn", "out.ppm"});
@@ -174,7 +174,7 @@ TEST(CommandLine, SeedsUseAll64Bits) {
 
 TEST(CommandLine, ALeadingPlusIsAllowed) { EXPECT_EQ(Parsed({"a", "b", "-width", "+5"}).render.width, 5); }
 
-TEST(Extremes, K6_EveryNumberIsReadWholeOrRefusedWithOptionValueAndRange) {
+TEST(Extremes, K6_BadNumbersAreRefusedWithOptionValueAndRange) {
   for (const OptionKind& option : OptionTable(Program::raypro)) {
     if (!IsNumber(option)) continue;
     for (const char* word :
@@ -194,7 +194,7 @@ TEST(Extremes, K6_NumbersDoNotAskTheLocale) {
   std::setlocale(LC_ALL, before.c_str());
 }
 
-TEST(Extremes, K6_ANumberTooSmallForADoubleIsZeroAndOneTooLargeAnError) {
+TEST(Extremes, K6_NumbersUnderflowToZeroButMayNotOverflow) {
   EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "1e-999"}).render.trace.min_luminance, 0);
   EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "1e-310"}).render.trace.min_luminance, 1e-310);
   EXPECT_NE(ErrorBeside({"-min_luminance", "1e999"}), "");
@@ -284,7 +284,7 @@ TEST(CommandLine, AnUnknownChoiceIsNamedWithAllChoices) {
   EXPECT_EQ(ErrorBeside({"-bits", "12"}), "-bits must be 8 or 16 bits per channel, got '12'");
 }
 
-TEST(CommandLine, OfAnOptionGivenTwiceTheLastCountsWhateverItsSpelling) {
+TEST(CommandLine, ARepeatedOptionTakesItsLastValue) {
   EXPECT_EQ(Parsed({"a", "b.ppm", "-samples", "4", "--samples=9"}).render.samples, 9);
   EXPECT_EQ(Parsed({"a", "b.ppm", "-max_depth", "4", "-maxreflections", "5"}).render.trace.max_depth, 5);
   EXPECT_EQ(ErrorBeside({"-srgb", "-srgb"}), "");
@@ -423,7 +423,7 @@ TEST(CommandLine, TopicsMadeOfDashesOrNothingAreUnknown) {
 }
 
 // Anything else thrown would end the program as if it had failed while rendering.
-TEST(CommandLine, AnyWordsAtAllAreReadOrRefusedAsWrongArguments) {
+TEST(CommandLine, AnyWordsParseOrGiveAUsageError) {
   Words vocabulary{"", "-", "--", "---", "=", "-=", "--=x", "a", "1", "-1", "1e9", "on", "\xff\xfe", "-\n", "graph"};
   for (const Program program : programs)
     for (const OptionKind& option : OptionTable(program))
@@ -461,7 +461,7 @@ TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
 }
 
 // What a table says of both programs must come out the same in both, or a picture traced in the window is another.
-TEST(CommandLine, OptionsOfBothProgramsHaveOneDefaultButForTheSize) {
+TEST(CommandLine, SharedOptionsHaveOneDefaultButForTheSize) {
   for (const OptionKind& option : OptionTable(Program::rayview))
     EXPECT_TRUE(option.known_to == KnownTo::rayview ||
                 Defaults(Program::rayview).Show(option) == Defaults(Program::raypro).Show(option))

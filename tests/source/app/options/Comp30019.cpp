@@ -157,7 +157,7 @@ TEST(Comp30019CommandLine, BothFilesMustBeNamed) {
   EXPECT_EQ(error({"--file=in.txt"}), "missing: -o, --output (--help lists all options)");
 }
 
-TEST(Comp30019CommandLine, ItIsAskedForByNameOrInFrontOfAllElse) {
+TEST(Comp30019CommandLine, IsChosenByProgramNameOrFirstOption) {
   const auto is_asked_for = [](std::vector<const char*> words) {
     return comp30019::IsAskedFor(static_cast<int>(words.size()), words.data());
   };

@@ -64,7 +64,7 @@ TEST(SceneSettings, OfAFlagTheLastCountsToo) {
   EXPECT_FALSE(WithSettingsOf(scene, Typed({})).render.trace.fresnel);
 }
 
-TEST(SceneSettings, WhatASceneMayNotSetIsRefusedAtItsPlace) {
+TEST(SceneSettings, ThatAreNotAllowedAreRefusedAtTheirPlace) {
   EXPECT_EQ(RefusalOf({"max_dept", "2", "a.scn:1:5"}),
             "a.scn:1:5: error: a scene cannot set 'max_dept'; did you mean 'max_depth'?");
   for (const char* name : {"report", "threads", "allow_path", "time", "quality", "help", ""})
@@ -78,7 +78,7 @@ TEST(SceneSettings, ValuesOutOfRangeAreRefusedAtTheirPlace) {
   EXPECT_EQ(RefusalOf({"motion", "1 2", "a.scn:1:5"}), "a.scn:1:5: error: usage: -motion dx dy dz");
 }
 
-TEST(SceneSettings, ASceneMayNotAskForMorePixelsThanTheLimit) {
+TEST(SceneSettings, MayNotExceedThePixelLimit) {
   const Scene scene = With({{"width", "1000000", "a.scn:1:5"}, {"height", "1000000", "a.scn:2:5"}});
   EXPECT_THROW(WithSettingsOf(scene, Typed({})), std::exception);
 }
@@ -90,7 +90,7 @@ TEST(SceneSettings, OfAFlagTheValueIsOnOrOff) {
 }
 
 // An author once read of "-aperture" without a file or a line, as if it had been typed.
-TEST(SceneSettings, ThatContradictEachOtherAreTheScenesMistakeAtItsPlace) {
+TEST(SceneSettings, ThatContradictEachOtherAreReportedAtTheirPlace) {
   const auto refusal = [](const std::vector<SceneSetting>& settings) {
     try {
       WithSettingsOf(With(settings), Typed({}));

@@ -107,7 +107,7 @@ TEST(RayimgSideBySide, OtherHeightsAreRefusedWithTheRemedy) {
   EXPECT_EQ(folder.Others({"a.png", "b.png"}), nothing);
 }
 
-TEST(RayimgContactSheet, ShowsAFolderAndACrossForWhatCannotBeRead) {
+TEST(RayimgContactSheet, ShowsAFolderWithACrossForUnreadableFiles) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   Save(folder / "a.png", Filled(40, 20, {0, 1, 0}));

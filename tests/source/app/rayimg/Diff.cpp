@@ -148,7 +148,7 @@ TEST(RayimgDiff, ANegativeProductHasNoRoot) {
   EXPECT_TRUE(DiffJson(words)["two_reference_rmse"].is_null());
 }
 
-TEST(RayimgDiff, AReferenceThatSharesItsNoiseIsRefusedOrWarnedOf) {
+TEST(RayimgDiff, WarnsOfOrRefusesReferencesThatShareNoise) {
   NEEDS_RAYIMG();
   if (!HasExr()) GTEST_SKIP() << "no EXR in this build";
   const TemporaryFolder folder;

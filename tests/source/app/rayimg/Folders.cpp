@@ -128,7 +128,7 @@ TEST(FolderDiff, ExitStatusFollowsTolerances) {
   EXPECT_EQ(folders.Diff({"-fail_rmse", "0.1"}).status, 1) << "an image without a partner";
 }
 
-TEST(FolderDiff, ThePageNeedsNoScriptAndTheTableHasALineEach) {
+TEST(FolderDiff, ThePageIsSelfContainedAndTheTableComplete) {
   NEEDS_RAYIMG();
   const TwoFolders folders;
   Save(folders / "right/a<b,c.png", Filled(8, 8, {0.5, 0.5, 0.5}));

@@ -180,7 +180,7 @@ TEST(RayimgMerge, SamplesThatAreNotWholeAreWeightsAsWell) {
   EXPECT_TRUE(Has(report, "\"mean\": " + stored)) << stored << "\n" << report;
 }
 
-TEST(RayimgMerge, OnePictureWithoutItsSamplesMakesAllWeighTheSameWithAWarning) {
+TEST(RayimgMerge, WeighsAllAlikeIfOneLacksItsSampleCount) {
   NEEDS_RAYIMG();
   if (!HasExr()) GTEST_SKIP() << "no EXR in this build";
   const TemporaryFolder folder;

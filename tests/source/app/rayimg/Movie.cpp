@@ -94,7 +94,7 @@ TEST(RayimgMovie, TheHeadersTellSizeSpeedAndNumberOfFrames) {
 }
 
 // Seen twice: by walking from chunk to chunk, as one plays, and through the index, as one jumps.
-TEST(RayimgMovie, EveryFrameIsTheBytesOfItsJpegInChunksAndIndex) {
+TEST(RayimgMovie, ChunksAndIndexHoldEveryFramesJpeg) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   Words frames = SaveFrames(folder, 5);

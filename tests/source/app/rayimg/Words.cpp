@@ -15,7 +15,7 @@
 namespace ray::rayimg {
 namespace {
 
-TEST(Rayimg, WrongInputIsNamedInOneLineAndNothingIsWritten) {
+TEST(Rayimg, WrongInputGivesAnErrorLineAndNoOutput) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const std::string a = Save(folder / "a.png", Filled(4, 4, {0.5, 0.5, 0.5}));

@@ -19,7 +19,7 @@ TEST(PanelHabits, AreReadAsTheyWereWritten) {
   EXPECT_EQ(LoadPanelHabits(folder / "new/folder/rayview"), look);
 }
 
-TEST(PanelHabits, OfAMissingFileAreTheUsualOnesAndMakeNone) {
+TEST(PanelHabits, OfAMissingFileAreTheDefaultsAndCreateNone) {
   const testing::TemporaryFolder folder;
   EXPECT_EQ(LoadPanelHabits(folder / "raypro/rayview"), PanelSettings());
   EXPECT_EQ(LoadPanelHabits(""), PanelSettings());

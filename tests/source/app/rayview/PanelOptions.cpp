@@ -39,7 +39,7 @@ TEST(PanelOptions, OneChangeLeavesTheOthersAsTheyAre) {
   EXPECT_EQ(changed.files.scene, "a b.scn");
 }
 
-TEST(PanelOptions, EveryOneCanBeSetToItsOwnValueAndToItsDefault) {
+TEST(PanelOptions, AcceptTheirOwnValueAndDefault) {
   const Options options = Typed({"a.scn"});
   for (const ShownOption& shown : OptionsOfPanels(options)) {
     EXPECT_EQ(ValueOf(WithOption(options, shown.name, shown.value), shown.name), shown.value) << shown.name;

@@ -77,7 +77,7 @@ TEST(RayproCommand, IsOneThatMakesTheSamePicture) {
 }
 
 // The scene may state another value than the default that was typed.
-TEST(RayproCommand, KeepsWhatWasTypedAndLeavesOutWhatNoByteDependsOn) {
+TEST(RayproCommand, KeepsOnlyTypedOptionsThatAffectTheImage) {
   Options options =
       ReadCommandLine(Program::raypro, Words{"--samples=1", "in.scn", "-threads", "2", "out.png", "-verbose", "-resume",
                                              "-checkpoint", "1m", "-report", "r.json", "-seed", "3", "-srgb"});
@@ -140,7 +140,7 @@ TEST(SavePicture, TellsTheCameraWhenItIsNotTheScenes) {
   EXPECT_EQ(TraceAndSave(options, "out.png")["camera"], "camera 0.1 0 6  0 0 -1  0 1 0  0.3333333333333333  0.1 100");
 }
 
-TEST(SavePicture, TheLineOfACameraIsACommandOfAScene) {
+TEST(SavePicture, ACameraLineParsesBackToTheCamera) {
   Camera camera = Aim({1, 2e-300, -3.1}, {1, 2, 3}, {0.3, 1, 0}).camera;
   camera.xfov = 0.7;
   camera.near = 1e-5;

@@ -94,7 +94,7 @@ TEST(Check, AnEmissiveSolidThatLightsNothingIsPointedOut) {
                   "it a light"));
 }
 
-TEST(Check, InsideTheBoxAroundASolidIsNotInsideTheSolid) {
+TEST(Check, InsideTheBoundsIsNotInsideTheSolid) {
   const Example example(camera + "sphere -1  0.9 0.9 9.9  1.5\n");  // its corner reaches over the camera
   EXPECT_EQ(SolidsAround(example.TheWorld(), {0, 0, 9}), 0);
   EXPECT_EQ(SolidsAround(example.TheWorld(), {0.9, 0.9, 9.9}), 1);
@@ -142,7 +142,7 @@ TEST(Check, AFlareWithoutALightIsPointedOut) {
   EXPECT_FALSE(Has(Example(camera + lamp).Mistakes(settings), warning)) << "which shows no light anyway";
 }
 
-TEST(Check, ASceneInTheDarkIsNoMistakeWhereLightsDoNotBear) {
+TEST(Check, ADarkSceneIsNoMistakeInUnlitModes) {
   const Example dark(camera + "sphere -1  0 0 0  1\npoint_light 0 0 0  0 5 0  1 0 0\n");
   for (const RenderMode mode : {RenderMode::whitted, RenderMode::path, RenderMode::gooch, RenderMode::toon})
     EXPECT_TRUE(Has(dark.Mistakes(Of(mode)), "the scene is unlit")) << static_cast<int>(mode);
@@ -182,7 +182,7 @@ TEST(Check, ASceneWithNothingInViewIsPointedOut) {
 }
 
 // A place for what was meant to be one shape of many to be out of sight, but not for a picture of nothing.
-TEST(Check, EveryRenderPointsOutWhatCannotBeMeantAndCostsNothing) {
+TEST(Check, EveryRenderWarnsOfCheaplyFoundMistakes) {
   const auto plain = [](const std::string& text) {
     std::string all;
     for (const std::string& mistake : PlainMistakes(Example(camera + text).TheWorld(), {})) all += mistake + "\n";
@@ -202,7 +202,7 @@ TEST(Check, SaysWhereTheDefaultsAreInForce) {
   EXPECT_FALSE(Has(SceneSummary(Example(camera + "point_light 1 1 1  0 5 0  1 0 0\n").TheWorld(), {}), "default"));
 }
 
-TEST(Check, SaysThatNoDefaultLightsShineWherePathsFindWhatEmits) {
+TEST(Check, EmissiveShapesReplaceDefaultLightsInModePath) {
   const std::string lamp = "material 0 0 0  0 0 0  0 0 0  0 0 0  3 3 3  1 1 0\nsphere 0  0 0 0  1\n";
   const Example example(camera + lamp);
   const std::string path = SceneSummary(example.TheWorld(), Of(RenderMode::path));

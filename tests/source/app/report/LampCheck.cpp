@@ -34,7 +34,7 @@ const std::string lamps_alone =
 const std::string grain = "sphere 1  0 0 0  1e-3 ";  // to be lit
 const std::string half_a_unit = "tri 0  0 10 0  1 10 0  0 10 1 ";
 
-TEST(LampCheck, ASmallLampIsWeakerInModePathByItsSolidAngle) {
+TEST(LampCheck, ModePathWeakensLampsByTheirSolidAngle) {
   // A / (pi d^2), a tenth of a percent less for the corners that are farther away.
   const std::string said = "scene.scn: warning: lamps light the scene about 630 times as strongly in mode whitted, "
                            "where each has its full color at any size and distance, as in mode path, where "
@@ -63,7 +63,7 @@ TEST(LampCheck, TheModesDifferFromAFactorOfTwoOn) {
   }
 }
 
-TEST(LampCheck, WhereOtherLightIsStrongerOrEmissionIsAColorNothingIsSaid) {
+TEST(LampCheck, IsSilentWhereOtherLightDominatesOrEmissionIsColor) {
   for (const char* light : {"dir_light 4 4 4  0 -1 0", "ambient 4 4 4", "point_light 500 500 500  0 -10 0  1 1 1"})
     for (const RenderSettings& settings : {whitted, path})
       EXPECT_EQ(SaidOf(lamps_alone + grain + half_a_unit + light, settings), "") << light;
@@ -102,7 +102,7 @@ TEST(LampCheck, SolidsThatLightInModePathAloneAreToldThere) {
                   " times as strongly in mode path, where every emissive surface is a lamp, as in mode whitted"));
 }
 
-TEST(LampCheck, ABackgroundThatLightsInModePathIsNotTakenForLamps) {
+TEST(LampCheck, ABackgroundInModePathIsNotTakenForLamps) {
   const std::string wide_lamp = "tri 0  -1e4 1 -1e4  1e4 1 -1e4  0 1 1e4 ";
   const std::string faint_plane = "material 0 0 0  0 0 0  0 0 0  0 0 0  .6 .6 .6  1 1 0 plane 2  0 -1 0  0 1 0 ";
   EXPECT_EQ(SaidOf(lamps_alone + grain + wide_lamp + faint_plane + "background 3.5 3.5 3.5", path), "");

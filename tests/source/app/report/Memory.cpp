@@ -44,7 +44,7 @@ TEST(Memory, TheLimitIsThreeQuartersOfTheMachineUnlessGiven) {
   EXPECT_EQ(MemoryLimit(1.5), std::int64_t{3} << 29);
 }
 
-TEST(Memory, ALimitOfAFewBytesIsNotSaidToBeNone) {
+TEST(Memory, ATinyLimitIsNotShownAsZero) {
   const Scene nothing;
   const World world(nothing);
   try {
@@ -72,7 +72,7 @@ TEST(Extremes, K13_APictureTakesNoMoreThanItsEstimate) {
   }
 }
 
-TEST(Extremes, K13_WhatWouldTakeMoreThanTheLimitIsRefusedBeforeItIsBuilt) {
+TEST(Extremes, K13_ExceedingTheMemoryLimitIsRefusedBeforeBuilding) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const Finished large = place.Run({"-width", "4000", "-height", "4000", "-memory", "0.5"});
@@ -87,7 +87,7 @@ TEST(Extremes, K13_WhatWouldTakeMoreThanTheLimitIsRefusedBeforeItIsBuilt) {
   EXPECT_NE(crowded.error.find("its structure may need 0.07 GiB"), std::string::npos) << crowded.error;
 }
 
-TEST(Extremes, K4_ASmallFileOfALargePictureIsRefusedByItsHeader) {
+TEST(Extremes, K4_AnImageBombIsRefusedByItsHeader) {
   NEEDS_THE_PROGRAM();
   const Place place;
   WriteFile(place / "bomb.png", Bomb());

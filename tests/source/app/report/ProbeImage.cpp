@@ -45,7 +45,7 @@ TEST(ProbeImage, SquaresAreDifferentOnesWithinTheCrop) {
   }
 }
 
-TEST(ProbeImage, ASmallImageIsProbedOnceAndThereIsAlwaysOneSquare) {
+TEST(ProbeImage, ProbesAtLeastOneSquareAndSmallImagesOnce) {
   const Subject subject;
   const auto whole = ProbeImage(subject.world, *subject.accelerator, Settings(7, 5), 1e9, 16);
   ASSERT_EQ(whole.size(), 1u);
@@ -54,7 +54,7 @@ TEST(ProbeImage, ASmallImageIsProbedOnceAndThereIsAlwaysOneSquare) {
 }
 
 // 3 x 3 squares are all of the image, so that their errors add up to its own.
-TEST(ProbeImage, SquaresOfTheWholeImageHaveItsErrorAndItsLight) {
+TEST(ProbeImage, SquaresOfTheWholeImageHaveItsErrorAndLight) {
   const Subject subject;
   RenderSettings settings = Settings(96, 96);
   const auto probed = ProbeImage(subject.world, *subject.accelerator, settings, 1e9, 9);

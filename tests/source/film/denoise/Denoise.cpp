@@ -75,7 +75,7 @@ TEST(Denoise, AConstantPictureStaysAsItIsToTheBit) {
 
 // A plane fitted to all of a window has at its middle the mean of its 49 pixels, so a seventh of the deviation is the
 // best there is. Weights that take noise for difference leave more; the mean of two streams has 1 / sqrt(2) of one's.
-TEST(Denoise, NoiseOfAFlatSurfaceFallsToLittleMoreThanASeventh) {
+TEST(Denoise, NoiseOnFlatSurfacesFallsAlmostToASeventh) {
   const Subject gray;
   const double before = deviation / std::sqrt(2.0), after = RmsError(Denoised(gray, 1).Mean(), gray);
   EXPECT_GT(after, before / 7);
@@ -98,7 +98,7 @@ TEST(Denoise, ATextureThatItsGuideKnowsIsNotBlurred) {
   EXPECT_LT(RmsError(Denoised(texture, 3).Mean(), texture), deviation / std::sqrt(2.0) / 3);
 }
 
-TEST(Denoise, ATextureThatNothingTellsOfIsNoWorseThanItsNoise) {
+TEST(Denoise, AnUnguidedTextureGetsNoWorseThanItsNoise) {
   const auto squares = [](int x, int y) { return (x + y) % 2 == 0 ? 0.4 : 0.6; };
   const Subject texture{squares, [](int, int) { return 0.0; }};
   EXPECT_LT(RmsError(Denoised(texture, 4).Mean(), texture), deviation / std::sqrt(2.0));
@@ -133,7 +133,7 @@ TEST(Denoise, OneBrightSampleAmongDarkOnesDoesNotSpread) {
     }
 }
 
-TEST(Denoise, WhatIsNoFiniteNumberGoesInAndDoesNotComeOut) {
+TEST(Denoise, NonFiniteInputGivesFiniteOutput) {
   const Subject gray;
   R2::Image a = Stream(gray, 9), b = Stream(gray, 10);
   constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
@@ -157,7 +157,7 @@ TEST(Denoise, PicturesSmallerThanAWindowAreFilteredToo) {
   }
 }
 
-TEST(Denoise, IsTheSameToTheBitForAnyNumberOfThreads) {
+TEST(Denoise, IsBitIdenticalOnAnyNumberOfThreads) {
   const auto waves = [](int x, int y) { return 0.5 + 0.3 * std::sin(0.4 * x) * std::cos(0.3 * y); };
   const Subject subject{waves, waves};
   const auto with_threads = [&](int threads) {
@@ -191,7 +191,7 @@ TEST(DenoisedError, ClaimsAreTrueOnAverage) {
 
 // Beside noise a thousand times as large as what filtered streams differ by, no bias of that size can be seen. A filter
 // of the best strength has half of its variance as its squared bias.
-TEST(DenoisedError, ABiasThatNoiseHidesIsTakenForHalfTheVariance) {
+TEST(DenoisedError, HiddenBiasIsTakenAsHalfTheVariance) {
   const Subject gray;
   constexpr double step = 0.001;  // from one filtered stream to the other
   DenoisedPicture denoised{{R2::Image(side, side), R2::Image(side, side)}};
@@ -216,7 +216,7 @@ TEST(DenoisedError, APictureWithoutNoiseHasNone) {
   EXPECT_EQ(claim.high, 0);
 }
 
-TEST(Pixels, MeansAroundAreThoseOfARingOfPixelsInThePicture) {
+TEST(Pixels, MeansAroundAverageARingWithinTheImage) {
   Pixels<Rgb> values(9, 7);
   for (int y = 0; y < 7; ++y)
     for (int x = 0; x < 9; ++x) values.At(x, y) = {static_cast<float>(x * y), static_cast<float>(x), 1};

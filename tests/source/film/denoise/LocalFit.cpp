@@ -127,7 +127,7 @@ double Fitted(const FitSubject& s, int px, int py, std::size_t channel) {
 
 }  // namespace plain
 
-TEST(LocalFit, IsThatOfItsEquationsInDoublePrecisionWithinTheRoundingOfFloats) {
+TEST(LocalFit, SolvesItsEquationsWithinFloatRounding) {
   for (const double strength : {1.0, 2.0})
     for (const auto& [width, height] : {std::pair{45, 21}, {3, 3}, {1, 1}, {2, 40}, {70, 1}}) {
       const FitSubject subject = NoisyFit(width, height, strength);
@@ -182,7 +182,7 @@ TEST(LocalFit, NoBitDependsOnWhereTilesBegin) {
 }
 
 // Guides may be light that is very bright, and sums of its squares leave little of others in a float.
-TEST(LocalFit, GuidesOfAnySizeKeepColorsInTheRangeOfTheirNeighbors) {
+TEST(LocalFit, GuidesOfAnySizeKeepColorsInTheirNeighborsRange) {
   constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   for (const float size : {1e3F, 1e6F, 1e18F, 3e38F, infinity, nan}) {
     FitSubject subject = NoisyFit(40, 24);
@@ -198,7 +198,7 @@ TEST(LocalFit, GuidesOfAnySizeKeepColorsInTheRangeOfTheirNeighbors) {
   }
 }
 
-TEST(LocalFit, BrightGuidesThatTellTheColorLeaveItAsItIs) {
+TEST(LocalFit, BrightGuidesThatMatchTheColorLeaveItUnchanged) {
   for (const double scale : {1.0, 100.0, 1e4}) {
     FitSubject subject(40, 24);
     for (int y = 0; y < 24; ++y)

@@ -136,7 +136,7 @@ class InstalledOpenImageDenoise : public testing::Test {
   }
 };
 
-TEST_F(OpenImageDenoiseOf, AVersionWithoutAFunctionIsRefusedByTheFunctionsName) {
+TEST_F(OpenImageDenoiseOf, AVersionWithoutAFunctionIsRefusedByName) {
   for (const char* name : {"oidnNewDevice", "oidnSetFilterBool", "oidnExecuteFilter"}) {
     fake.missing = {name};
     EXPECT_EQ(FaultOfLoading(), "the installed Open Image Denoise has no function " + std::string(name));
@@ -149,7 +149,7 @@ TEST_F(OpenImageDenoiseOf, Version1WorksByTheNamesThatFunctionsHadThere) {
   EXPECT_EQ(FaultOfLoading(), "");
 }
 
-TEST_F(OpenImageDenoiseOf, AMachineThatItDoesNotRunOnIsToldInItsWords) {
+TEST_F(OpenImageDenoiseOf, AnUnsupportedMachineReportsTheLibrarysError) {
   fake.has_device = false;
   EXPECT_EQ(FaultOfLoading(), "Open Image Denoise: no device");
   fake.fault = "unsupported CPU";
@@ -159,7 +159,7 @@ TEST_F(OpenImageDenoiseOf, AMachineThatItDoesNotRunOnIsToldInItsWords) {
   EXPECT_EQ(fake.devices, 0);
 }
 
-TEST_F(OpenImageDenoiseOf, AFilterThatFailsIsToldInItsWordsAndReleased) {
+TEST_F(OpenImageDenoiseOf, AFailingFilterIsReportedAndReleased) {
   {
     const OpenImageDenoise library(FindInFake, 0);
     fake.fault = "out of memory";
@@ -175,7 +175,7 @@ TEST_F(OpenImageDenoiseOf, ItRunsOnTheThreadsAskedForAndPinsNone) {
   EXPECT_EQ(fake.device_settings.at("setAffinity"), 0);
 }
 
-TEST_F(OpenImageDenoiseOf, ItIsToldThatLightHasNoUpperEndAndGuidesNoNoise) {
+TEST_F(OpenImageDenoiseOf, ItIsToldOfHdrLightAndCleanGuides) {
   OpenImageDenoise(FindInFake, 0).Filtered(NoisyGray(1), BlankGuides().best[0]);
   EXPECT_EQ(fake.filter_settings, (std::set<std::string>{"hdr", "cleanAux"}));
   EXPECT_TRUE(fake.images.contains("albedo") && fake.images.contains("normal"));
@@ -188,7 +188,7 @@ TEST_F(OpenImageDenoiseOf, ItsVersionIsNamedSinceAnotherMayMakeOtherBits) {
             "regression and Open Image Denoise 9.0.0");
 }
 
-TEST_F(OpenImageDenoiseOf, AFilterThatLeavesThePictureAsItIsLeavesItToTheBit) {
+TEST_F(OpenImageDenoiseOf, AFilterThatChangesNothingChangesNoBit) {
   const DenoisedPicture picture = Denoised();
   EXPECT_TRUE(picture.of_stream[0] == ImageOf(NoisyGray(1)));
   EXPECT_TRUE(picture.of_stream[1] == ImageOf(NoisyGray(2)));
@@ -199,7 +199,7 @@ TEST_F(OpenImageDenoiseOf, AFilterThatMakesThePictureWorseIsNotUsed) {
   EXPECT_TRUE(Denoised().of_stream[0] == ImageOf(NoisyGray(1)));
 }
 
-TEST_F(OpenImageDenoiseOf, NoFilterIsLeftOfAMachineWithoutItWhereNothingElseWasAskedFor) {
+TEST_F(OpenImageDenoiseOf, AMachineWithoutItFailsOnlyOnRequest) {
   if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
   EXPECT_EQ(Resolved(Denoiser::automatic), Denoiser::regression);
   EXPECT_NE(FaultOf([] { DenoiseFilters(Denoiser::oidn); }).find("libOpenImageDenoise.so.2"), std::string::npos);

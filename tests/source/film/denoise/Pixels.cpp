@@ -45,7 +45,7 @@ TEST(MeansAround, AreThePixelsThemselvesWhereNothingIsAround) {
 }
 
 // A crop that is denoised has to have the bits of the whole.
-TEST(MeansAround, OfAPartAreThoseOfTheWholeToTheBit) {
+TEST(MeansAround, OfAPartEqualThoseOfTheWhole) {
   const Pixels<Rgb> whole = Noise(60, 50);
   const int radius = 7, hole = 3;
   const Pixels<Rgb> means = MeansAround(whole, radius, hole);

@@ -85,7 +85,7 @@ double TrueSquare(const Film& film) {
   return squares / static_cast<double>(picture.Channels().size());
 }
 
-TEST(PictureError, TheIntervalHoldsTheErrorOfThePictureAsOftenAsItSays) {
+TEST(PictureError, TheIntervalHoldsTheErrorAsOftenAsClaimed) {
   for (const double confidence : {0.8, 0.95})
     for (const int side : {8, 32}) {
       int held = 0;
@@ -147,7 +147,7 @@ Film GrayNoise(int side, int every, double deviation, std::uint64_t seed) {
   });
 }
 
-TEST(PictureError, ThreeChannelsThatAreOneCountOnceAndPixelsWithoutNoiseNot) {
+TEST(PictureError, EqualChannelsCountOnceAndNoiselessPixelsNever) {
   const auto freedom = [](int every) {
     return MeasureError(GrayNoise(64, every, 0.1, 7), {.unit = ErrorUnit::linear})->estimate.freedom;
   };
@@ -169,7 +169,7 @@ TEST(PictureError, FewPixelsGiveAWideInterval) {
 }
 
 // 7 and 7 in the two parts show 1 and 1, and their mean is clamped too; 0.2 and 3 show 0.6 on average, and 1 together.
-TEST(PictureError, ClampingIsNoErrorWhereItIsSteadyAndOneWhereItHidesNoise) {
+TEST(PictureError, ClampingCountsAsErrorOnlyWhereItHidesNoise) {
   const auto film_of = [](double a, double b) {
     return TwoPartFilm(8, {1, 1}, FilterKind::box, [&](int part, int, int, std::uint32_t) {
       return FilmSample{(part == 0 ? a : b) * R2::Color{1, 1, 1}};
@@ -184,7 +184,7 @@ TEST(PictureError, ClampingIsNoErrorWhereItIsSteadyAndOneWhereItHidesNoise) {
 }
 
 // One pixel of a dark block is found bright by one of the parts alone.
-TEST(PictureError, LightCutFromANoisyPixelMayBelongToItsWholeBlockOrToARim) {
+TEST(PictureError, ClampedLightMayBelongToItsBlockOrARim) {
   const auto square = [](double found, double steady) {
     const Film film = TwoPartFilm(8, {1, 1}, FilterKind::box, [&](int part, int x, int y, std::uint32_t) {
       const double light = x + y == 0 ? part * found : x + y == 14 ? steady : 0;
@@ -201,7 +201,7 @@ TEST(PictureError, LightCutFromANoisyPixelMayBelongToItsWholeBlockOrToARim) {
   }
 }
 
-TEST(PictureError, AnErrorThatDoesNotFallIsTakenToBeLarger) {
+TEST(PictureError, AnErrorThatDoesNotFallIsTakenAsLarger) {
   const Film film = Noisy(32, 4, 4, 0.1, 3);
   const ErrorMeasure measure{.unit = ErrorUnit::linear};
   const auto alone = MeasureError(film, measure);
@@ -218,7 +218,7 @@ TEST(PictureError, AnErrorThatDoesNotFallIsTakenToBeLarger) {
   EXPECT_DOUBLE_EQ(after(0.1, 8), 1) << "no samples came";
 }
 
-TEST(PictureError, AnErrorThatIsGoneAtOnceIsKeptAsFarAsSamplesCannotExplainIt) {
+TEST(PictureError, ASuddenlyVanishedErrorIsPartlyKept) {
   const Film film = Noisy(32, 4, 4, 0.1, 3);  // 8 samples per pixel
   const ErrorMeasure measure{.unit = ErrorUnit::linear};
   const auto alone = MeasureError(film, measure);
@@ -262,7 +262,7 @@ TEST(PictureError, TheIntervalAllowsForLightThatNoSampleHasFound) {
   }
 }
 
-TEST(PictureError, WhatNoSampleHasFoundIsNoBrighterThanAScreen) {
+TEST(PictureError, UndetectedLightIsNoBrighterThanAScreen) {
   MeasuredError error = *MeasureError(Noisy(32, 2, 2, 0.01, 5), {});
   const double before = error.square_high;
   AllowFor({.most = 1e9, .samples = 4096}, {}, error);
@@ -288,7 +288,7 @@ R2::Image WithNoise(const R2::Image& image, double deviation, std::uint64_t seed
   return noisy;
 }
 
-TEST(TrueError, OfAPictureThatIsOffByOneAmountIsThatAmount) {
+TEST(TrueError, OfAConstantOffsetIsThatOffset) {
   const R2::Image reference = Gray(8, 0.5), picture = Gray(8, 0.625);
   EXPECT_DOUBLE_EQ(TrueError(picture, reference, nullptr, {.unit = ErrorUnit::linear}), 0.125);
   EXPECT_DOUBLE_EQ(TrueError(picture, reference, nullptr, {.unit = ErrorUnit::display}), 255 * 0.125);
@@ -300,7 +300,7 @@ TEST(TrueError, OfAPictureThatIsOffByOneAmountIsThatAmount) {
   EXPECT_EQ(TrueError(reference, reference, nullptr, {.unit = ErrorUnit::decibel}), HUGE_VAL);
 }
 
-TEST(TrueError, TwoNoisyReferencesTellTheErrorThatOneOfThemHides) {
+TEST(TrueError, TwoNoisyReferencesRevealTheErrorOneHides) {
   const R2::Image truth = Gray(128, 0.5), picture = WithNoise(truth, 0.02, 1);
   const R2::Image one = WithNoise(truth, 0.03, 2), two = WithNoise(truth, 0.03, 3);
   const ErrorMeasure linear{.unit = ErrorUnit::linear};

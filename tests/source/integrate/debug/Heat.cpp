@@ -7,7 +7,7 @@
 namespace ray {
 namespace {
 
-TEST(Heat, GoesFromBlackOverBlueRedAndYellowToWhiteByPowersOfTen) {
+TEST(Heat, GoesFromBlackToWhiteByPowersOfTen) {
   EXPECT_EQ(HeatColor(0), (R2::Color{0, 0, 0}));
   EXPECT_EQ(HeatColor(1), (R2::Color{0, 0, 0}));
   EXPECT_EQ(HeatColor(10), (R2::Color{0, 0, 1}));
@@ -20,7 +20,7 @@ TEST(Heat, GoesFromBlackOverBlueRedAndYellowToWhiteByPowersOfTen) {
 TEST(Heat, CountsWhatWasLookedAt) { EXPECT_EQ(Heat({.node_visits = 3, .box_tests = 2, .primitive_tests = 4}), 7); }
 
 // Which solids a camera is inside of is found once by each thread.
-TEST(Heat, IsTheSameOnAnyThreadsThoughTheCameraIsInGlass) {
+TEST(Heat, DoesNotDependOnThreadsEvenInsideGlass) {
   const project::Stage stage(project::FromText(
       "camera 0 0 0  0 0 -1  0 1 0  0.5  0.01 100  material 0 0 0 .5 .5 .5 0 0 0 .5 .5 .5 0 0 0 10 1.5 0 "
       "sphere 0 0 0 0 2 sphere 0 0.5 0 -4 1 "));

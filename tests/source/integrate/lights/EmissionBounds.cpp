@@ -16,7 +16,7 @@ const std::string lamp_shapes =
     "sphere 1  3 1 0  0.5 tri 1  -1 2 -1  1 2 -1  0 2.5 1 tri 0  -9 -1 -9  9 -1 -9  0 -1 9 "
     "begin 1  0.6 0 0.8 1  0 0.1 0 0  -0.8 0 0.6 -2  0 0 0 1 motion 0.5 1 0 box -1  -1 -1 -1  1 1 1 end ";
 
-TEST(EmissionBounds, ARayThatIsKeptFromThemHitsNothingThatEmits) {
+TEST(EmissionBounds, ExcludeOnlyRaysThatHitNoEmitter) {
   const project::Stage stage(project::FromText(lamp_shapes));
   const EmissionBounds bounds(stage.world);
   const auto accelerator = FindAcceleratorKind("none")->Make(stage.world, {});
@@ -36,7 +36,7 @@ TEST(EmissionBounds, ARayThatIsKeptFromThemHitsNothingThatEmits) {
   EXPECT_GT(emitting, 3'000);
 }
 
-TEST(EmissionBounds, RaysInTheVeryFacesOfAFlatLampMayHitIt) {
+TEST(EmissionBounds, IncludeRaysAlongTheFacesOfAFlatLamp) {
   const project::Stage stage(
       project::FromText("material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  1 1 0 tri 0  -1 2 -1  1 2 -1  0 2 1 "
                         "begin -1  1 0 0 0.1  0 1 0 0.7  0 0 1 0.3  0 0 0 1 box 0  -0.1 -0.1 -0.1  0.1 0.1 0.1 end"));
@@ -48,7 +48,7 @@ TEST(EmissionBounds, RaysInTheVeryFacesOfAFlatLampMayHitIt) {
   EXPECT_FALSE(bounds.MayBeHitBy({{0, 5, 0}, {1, 0, 0}}));
 }
 
-TEST(EmissionBounds, AnEndlessLampMayBeHitByAllRaysAndNoneByAny) {
+TEST(EmissionBounds, AreUnboundedForAnEndlessLampAndEmptyWithoutLamps) {
   const std::string material = "material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  1 1 0 ";
   const project::Stage endless(project::FromText(material + "plane 0  0 -3 0  0 1 0"));
   EXPECT_TRUE(EmissionBounds(endless.world).MayBeHitBy({{0, 5, 0}, {0.1, -0.2, 0}}));

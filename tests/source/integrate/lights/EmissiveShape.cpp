@@ -123,7 +123,7 @@ std::vector<double> MeanOfEach(const Cells& cells, int steps, const Function& f)
   return means;
 }
 
-TEST(EmissiveShape, SamplesOverTheirPdfAddUpToTheSolidAngleThatRaysFind) {
+TEST(EmissiveShape, SamplesOverPdfSumToTheVisibleSolidAngle) {
   // Cell by cell: a pdf that is wrong anywhere would count what is seen there too much or too little.
   constexpr int samples = 20'000;
   ForManyViews([&](Lamp& lamp, const R3::Point& from, bool, const char* name) {
@@ -159,7 +159,7 @@ TEST(EmissiveShape, SamplesOverTheirPdfAddUpToTheSolidAngleThatRaysFind) {
   });
 }
 
-TEST(EmissiveShape, IsSampledByThePdfItStatesWhichIntegratesToOne) {
+TEST(EmissiveShape, IsSampledByItsPdfWhichIntegratesToOne) {
   // The pdf at what rays hit, integrated over all directions, against how often places are picked. Where an area is
   // seen at a grazing angle no grid integrates its pdf; that of a sphere is bounded, and all are from inside. What
   // hides behind the rest of a shape that is not convex has the remainder.
@@ -195,7 +195,7 @@ TEST(EmissiveShape, IsSampledByThePdfItStatesWhichIntegratesToOne) {
   });
 }
 
-TEST(EmissiveShape, IsSampledWithTheVeryPdfThatARayToTheSamePlaceIsGiven) {
+TEST(EmissiveShape, SamplesAndRaysAgreeOnThePdf) {
   ForManyViews([](Lamp& lamp, const R3::Point& from, bool, const char* name) {
     const EmissiveShape shape = lamp.Shape();
     Draw draw(18);
@@ -216,7 +216,7 @@ TEST(EmissiveShape, IsSampledWithTheVeryPdfThatARayToTheSamePlaceIsGiven) {
   });
 }
 
-TEST(EmissiveShape, FromOutsideNoShadowRayGoesToTheBackOfAConvexOne) {
+TEST(EmissiveShape, ConvexShapesAreNeverSampledOnTheBack) {
   ForManyViews([](Lamp& lamp, const R3::Point& from, bool is_convex, const char* name) {
     if (!is_convex) return;
     const EmissiveShape shape = lamp.Shape();
@@ -229,7 +229,7 @@ TEST(EmissiveShape, FromOutsideNoShadowRayGoesToTheBackOfAConvexOne) {
   });
 }
 
-TEST(EmissiveShape, WhatAPointOutsideSeesOfASphereIsTheConeItSubtendsHoweverNarrow) {
+TEST(EmissiveShape, SpheresAreSampledInTheirSubtendedConeHoweverNarrow) {
   const auto sphere = R3::MakeShape("sphere", {0, 0, 0, 1});
   for (const double height : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
     const R3::Point from{0, 0, 1 + height};
@@ -243,7 +243,7 @@ TEST(EmissiveShape, WhatAPointOutsideSeesOfASphereIsTheConeItSubtendsHoweverNarr
   }
 }
 
-TEST(EmissiveShape, ManySamplesTogetherAreThoseDrawnOneByOneToTheBit) {
+TEST(EmissiveShape, BatchedSamplesEqualSingleOnesBitForBit) {
   for (const R3::ShapeKind* kind : R3::ShapeKinds()) {
     Lamp lamp(*kind, frames[0]);
     if (EmissiveShapes(lamp.stage.world).empty()) continue;

@@ -66,7 +66,7 @@ double Sum(const LightTree& tree, int lights, const R3::Point& p, const R3::Vect
   return sum;
 }
 
-TEST(LightTree, ProbabilitiesOfAllLightsSumToOneAndOnlyLightsBehindHaveNone) {
+TEST(LightTree, ProbabilitiesSumToOneAndOnlyLightsBehindHaveNone) {
   for (const int count : {1, 2, 3, 15, 16, 17, 100, 256, 257, 1000})
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       const auto lights = RandomLights(count, seed);
@@ -166,7 +166,7 @@ Variances BelowTheCeiling(int side, double height) {
   return variances;
 }
 
-TEST(LightTree, UnderACeilingOfLightsOneChosenLightHasFarLessNoiseThanOneAtRandom) {
+TEST(LightTree, BeatsUniformChoiceUnderACeilingOfLights) {
   for (const int side : {8, 32})
     for (const double height : {0.5, 2.0, 8.0}) {
       const Variances variances = BelowTheCeiling(side, height);
@@ -177,7 +177,7 @@ TEST(LightTree, UnderACeilingOfLightsOneChosenLightHasFarLessNoiseThanOneAtRando
     }
 }
 
-TEST(LightTree, ALightAtTheHorizonKeepsATenthOfItsImportanceForTheSakeOfHighlights) {
+TEST(LightTree, GrazingLightsKeepATenthOfTheirImportance) {
   // Two lights alike at one distance, one overhead and one at the horizon.
   const LightTree tree({{.center = {0, 1, 0}, .power = 1}, {.center = {1, 1e-9, 0}, .power = 1}});
   EXPECT_NEAR(tree.Probability({}, {0, 1, 0}, 1), 0.1 / 1.1, 1e-9);
@@ -223,7 +223,7 @@ TEST(LightTree, NothingIsChosenWhereNoLightCanShine) {
   EXPECT_TRUE(below.Choose({3, 0, 3}, Unit(R3::Vector{0.01, 1, 0}), 0.5));
 }
 
-TEST(LightTree, LightsInTheVeryPlaneOfThePointAreTakenOrLeftAlikeByTheTreeAndByThemselves) {
+TEST(LightTree, AgreesWithEachLightInTheTangentPlane) {
   // In a tilted plane far from the origin each light is a rounding in front of it or behind it.
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     Numbers numbers(seed);
@@ -302,7 +302,7 @@ TEST(LightTree, TheUnitOfLengthChangesNoChoice) {
     }
 }
 
-TEST(LightTree, LightsWithoutFallOffCountByWhatTheySendHoweverFarAmongLightsThatFallOff) {
+TEST(LightTree, LightsWithoutFallOffIgnoreDistanceAmongOthers) {
   for (const double distance : {0.1, 1.0, 1e3, 1e9}) {
     std::vector<LightBound> lights{{.center = {0, distance, 0}, .power = 6, .ca = 2, .qa = 0},
                                    {.power = 1, .is_infinite = true}};
@@ -313,7 +313,7 @@ TEST(LightTree, LightsWithoutFallOffCountByWhatTheySendHoweverFarAmongLightsThat
   }
 }
 
-TEST(LightTree, OneOfAFewPointsOfLightHasASecondMomentBoundByTheLeastCosineInAnyUnit) {
+TEST(LightTree, SecondMomentIsBoundedByTheLeastCosine) {
   // Importances I and contributions c have I cos <= c <= I, where cos is the least cosine of an infinite light and all
   // others count with theirs. So the second moment of c / probability, sum I * sum c^2 / I, is at most
   // (sum c)^2 / cos.
@@ -379,7 +379,7 @@ TEST(LightTree, HugeTinyAndCoincidentPlacesAndPowersKeepProbabilitiesWhole) {
     for (int i = 0; i < 5000; i += 99) EXPECT_NEAR(tree.Probability(p, {0, 0, 1}, i), 1.0 / 5000, 1e-4);
 }
 
-TEST(LightTree, AWeakLightBesideAStrongOneIsStillChosenNowAndThen) {
+TEST(LightTree, WeakLightsBesideStrongOnesAreStillChosen) {
   const LightTree tree({{.center = {0, 1, 0}, .power = 1e300}, {.center = {0, 1e9, 0}, .power = 1e-300}});
   EXPECT_GT(tree.Probability({}, {0, 1, 0}, 1), 1e-8);
 }

@@ -39,7 +39,7 @@ const char* const as_quad = "quad 0  -1 1.5 -1  2 1.5 -1  2 1.5 1  -1 1.5 1";
 const char* const as_polygon =
     "polygon 0 7  -1 1.5 -1  0 1.5 -1  2 1.5 -1  2 1.5 .9  2 1.5 1  1.9 1.5 1  -1 1.5 1";
 
-TEST(TriangleLamp, AQuadOrPolygonLightsByTheMeanOverItsPoints) {
+TEST(TriangleLamp, QuadsAndPolygonsLightByTheMeanOfTheirPoints) {
   const double truth = FloorUnderRectangle(-1, 2, -1, 1, 1.5);
   for (const char* lamp : {as_quad, as_polygon})
     for (const int lights : {-1, 1, 3}) {
@@ -56,7 +56,7 @@ TEST(TriangleLamp, EachTriangleIsALamp) {
   EXPECT_GT(sum, 1.7 * FloorUnder(as_quad).mean);
 }
 
-TEST(TriangleLamp, EachFaceOfAMeshIsALampUnlessTheWholeIs) {
+TEST(TriangleLamp, AMeshIsOneLampOrOnePerFace) {
   R3::MeshData data;
   data.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   data.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -70,7 +70,7 @@ TEST(TriangleLamp, EachFaceOfAMeshIsALampUnlessTheWholeIs) {
   }
 }
 
-TEST(TriangleLamp, ManyPointsOfOneAreSpreadAsEvenlyAsThoseOfATriangle) {
+TEST(TriangleLamp, PolygonsAreSampledAsEvenlyAsTriangles) {
   const project::Stage stage(project::FromText(emissive + as_polygon));
   const std::vector<TriangleLamp> lamps = TriangleLamps(stage.world, EmissiveMeshes::faces);
   ASSERT_EQ(lamps.size(), 1u);

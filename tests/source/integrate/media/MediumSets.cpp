@@ -28,7 +28,7 @@ TEST(MediumSets, AreTheSameHoweverTheyAreEntered) {
   EXPECT_EQ(sets.Without(sets.Without(sets.Without(all, 3, stage.world), 0, stage.world), 1, stage.world), 0u);
 }
 
-TEST(MediumSets, AreFilledByTheMaterialOfTheHighestPriorityOrTheFirstSolid) {
+TEST(MediumSets, AreFilledByHighestPriorityThenFirstSolid) {
   const project::Stage stage = Solids();
   MediumSets sets;
   EXPECT_EQ(sets.At(0, stage.world).Index(), 1);

@@ -44,7 +44,7 @@ TEST(Hatching, HasTheMoreInkTheLessLightArrives) {
   }
 }
 
-TEST(Hatching, LeavesThePaperWhereAllLightArrivesAndWhereNothingIs) {
+TEST(Hatching, LeavesFullyLitAndEmptyPlacesBlank) {
   EXPECT_EQ(ShareOfInk(project::Render(project::Stage(project::FromText(Wall(1))), Drawing()).image), 0);
   const std::string nothing = "camera 0 0 9  0 0 -1  0 1 0  .4  1 20 background 0 0 0";
   EXPECT_EQ(ShareOfInk(project::Render(project::Stage(project::FromText(nothing)), Drawing()).image), 0);
@@ -62,7 +62,7 @@ TEST(Hatching, IsInkOrPaperInEverySample) {
   EXPECT_GT(inked, 500);
 }
 
-TEST(Hatching, OfAPartOfTheImageIsThatOfTheWholeForEveryAccelerator) {
+TEST(Hatching, IsTheSameInCropsWithEveryAccelerator) {
   const project::Stage stage(project::Root() / "scenes/toon.scn");
   RenderSettings settings = Drawing(2);
   const R2::Image whole = project::Render(stage, settings).image;

@@ -54,7 +54,7 @@ TEST(Outline, IsNowhereOnAPlaneHoweverSlanted) {
   }
 }
 
-TEST(Outline, IsDrawnWhereTwoFacesMeetAndWhereOneIsBehindTheOther) {
+TEST(Outline, IsDrawnAtCreasesAndAtStepsInDepth) {
   // Walls that meet in the middle at a right angle, 45 degrees to either outline_side.
   const R2::Image corner = WithOutline(WhiteScene("plane 0  0 0 0  1 0 1 plane 0  0 0 0  -1 0 1"), 2);
   EXPECT_NEAR(BlackIn(corner, 0, outline_side, outline_side / 2), 2, 1);
@@ -81,7 +81,7 @@ TEST(Outline, GoesOverAnyPictureAndCostsNothingWithoutAWidth) {
   }
 }
 
-TEST(Outline, OfAPartOfThePictureIsThatOfTheWhole) {
+TEST(Outline, IsTheSameInACrop) {
   const std::string scene = WhiteScene("sphere 0  0 0 0  3 box 0  -4 -4 0  -2 -2 2");
   const R2::Image whole = WithOutline(scene, 2);
   RenderSettings settings;

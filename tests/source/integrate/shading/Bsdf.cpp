@@ -58,7 +58,7 @@ double OverHemisphere(const F& f) {
 
 const R3::Vector slanted = Unit(R3::Vector{0.6, 0.7, -0.2});
 
-TEST(Bsdf, PhongReflectsSamplesTogetherAsOneByOneBitForBit) {
+TEST(Bsdf, BatchedPhongEqualsSingleSamplesBitForBit) {
   for (const double n : {0.0, 1.0, 7.5, 20.0, 1000.0, 1024.0, 1025.0, 1e9})
     for (const double coat : {0.0, 1.5})
       for (const double length : {1.0, 1e200}) {
@@ -78,7 +78,7 @@ TEST(Bsdf, PhongReflectsSamplesTogetherAsOneByOneBitForBit) {
       }
 }
 
-TEST(Bsdf, AHighlightOfAWholeExponentIsThePowerWithinItsRoundings) {
+TEST(Bsdf, HighlightsOfWholeExponentsAreExactWithinRounding) {
   for (const double n : {1.0, 2.0, 3.0, 20.0, 255.0, 1000.0, 1024.0})
     for (const double cosine : {0.1, 0.5, 0.9, 0.99, 0.9999, 1.0}) {
       const double truth = static_cast<double>(std::pow(static_cast<long double>(cosine), static_cast<long double>(n)));
@@ -86,7 +86,7 @@ TEST(Bsdf, AHighlightOfAWholeExponentIsThePowerWithinItsRoundings) {
     }
 }
 
-TEST(Bsdf, ASampleSaysWhatEvalAndPdfSayOfItsDirection) {
+TEST(Bsdf, SamplesAgreeWithEvalAndPdf) {
   const Material m = MaterialOf({0.4, 0.3, 0.2}, {0.3, 0.2, 0.1}, {0.1, 0.2, 0.3});
   for (const bool glossy : {false, true}) {
     const ShadingPoint p = PointOf(m, slanted);
@@ -126,7 +126,7 @@ TEST(Bsdf, InAWhiteFurnaceItsSamplesReturnItsReflectances) {
   }
 }
 
-TEST(Bsdf, TheDiffuseLobeReflectsKdOfALitHemisphereAndIsReciprocal) {
+TEST(Bsdf, TheDiffuseLobeReflectsKdAndIsReciprocal) {
   const Material m = MaterialOf({0.4, 0.3, 0.2}, {}, {});
   const ShadingPoint p = PointOf(m, slanted);
   const Bsdf bsdf(p, SettingsOf(false));
@@ -171,7 +171,7 @@ double IntegralOfCosine(int n, double from) {
   return (n - 1.0) / n * IntegralOfCosine(n - 2, from) - std::pow(std::cos(from), n - 1) * std::sin(from) / n;
 }
 
-TEST(Bsdf, TheGlossyLobeReflectsKsButForWhatIsBelowTheSurface) {
+TEST(Bsdf, TheGlossyLobeReflectsKsAboveTheSurface) {
   // Around the axis that is perpendicular to R and N a direction's longitude alone says whether it is above the
   // surface, and its cosine with R is that of the longitude times one of the latitude, which cancels.
   for (const int n : {0, 1, 2, 3, 10, 37})
@@ -194,7 +194,7 @@ TEST(Bsdf, TheGlossyLobeReflectsKsButForWhatIsBelowTheSurface) {
     }
 }
 
-TEST(Bsdf, AMirrorWithASmoothedNormalSendsNothingIntoTheSurface) {
+TEST(Bsdf, SmoothedMirrorsSendNothingIntoTheSurface) {
   const Material material = MaterialOf({}, {1, 1, 1}, {});
   Draw draw(41);
   int turned = 0;
@@ -250,7 +250,7 @@ TEST(Bsdf, BeyondTheCriticalAngleNothingIsTransmitted) {
   }
 }
 
-TEST(Bsdf, TotalInternalReflectionMirrorsLightWithoutFresnelOnlyWhereAskedTo) {
+TEST(Bsdf, TotalInternalReflectionWithoutFresnelIsOptional) {
   const Material glass = MaterialOf({}, {0.1, 0.1, 0.1}, {0.9, 0.8, 0.7});
   const ShadingPoint beyond = PointOf(glass, {0.8, 0.6, 0}, false), before = PointOf(glass, {0.6, 0.8, 0}, false);
   TraceSettings settings = SettingsOf(false);
@@ -263,7 +263,7 @@ TEST(Bsdf, TotalInternalReflectionMirrorsLightWithoutFresnelOnlyWhereAskedTo) {
 }
 
 // Interpolated normals of coarse meshes do, near silhouettes.
-TEST(Bsdf, ANormalThatFacesAwayBendsLightNoMoreThanOneAtARightAngle) {
+TEST(Bsdf, NormalsFacingAwayBendLightNoMoreThanGrazingOnes) {
   const double most = std::acos(1 / 1.5);
   for (const double ir : {1.0001, 1.5})
     for (double angle = 0; angle < 2; angle += 0.01) {
@@ -308,7 +308,7 @@ TEST(Bsdf, FresnelSplitsWhatIsClearAndKeepsItsSum) {
   }
 }
 
-TEST(FresnelReflectance, AtRightAnglesIsTheSquareOfTheDifferenceOverTheSum) {
+TEST(FresnelReflectance, AtNormalIncidenceIsDifferenceOverSumSquared) {
   for (const double n : {1e-6, 0.5, 1 / 1.5, 1.0, 1.33, 1.5, 2.4, 1e6}) {
     const double amplitude = (1 - n) / (1 + n);
     EXPECT_NEAR(FresnelReflectance(1, 1 / n), amplitude * amplitude, 1e-14) << n;
@@ -332,7 +332,7 @@ TEST(FresnelReflectance, AtBrewstersAngleIsOfOnePolarisationAlone) {
   }
 }
 
-TEST(Extremes, F4_BeyondTheCriticalAngleEverythingIsReflectedAndBeforeItNothingJumps) {
+TEST(Extremes, F4_ReflectanceReachesOneContinuouslyAtTheCriticalAngle) {
   const double n = 1.5, critical = std::sqrt(1 - 1 / (n * n));  // its cosine
   for (double cosine = 0; cosine < critical; cosine += 0.01) EXPECT_EQ(FresnelReflectance(cosine, n), 1) << cosine;
   double cosine = critical;

@@ -118,7 +118,7 @@ struct SizedShape {
 };
 
 // Each shape, long ones, and frames that stretch, shear, mirror and move them; the oracle knows only where rays hit.
-TEST(Bump, TheNormalIsThatOfTheSurfaceMovedByTheHeight) {
+TEST(Bump, TheNormalIsThatOfTheDisplacedSurface) {
   for (const auto& [text, size] :
        {SizedShape{"sphere 0  0 0 0  2", 2},
         {"box 0  -1 -1 -1  1 1 1", 1},
@@ -197,7 +197,7 @@ TEST(Bump, BothCoordinatesMayRunTheSameWay) {
   EXPECT_LT(Length(seen->N - Unit(R3::Vector{-(0.6 / 2 + 0.3 / 4), 0, 1})), 1e-6);
 }
 
-TEST(Bump, ASmoothMeshTiltsItsOwnNormalByTheSlopeOfItsFaces) {
+TEST(Bump, SmoothMeshesTiltTheirNormalsByFaceSlopes) {
   R3::MeshData data = Tiled(1, 1)->Data();
   const R3::Vector leaning = Unit(R3::Vector{0.1, -0.2, 1});
   for (std::size_t i = 0; i < data.positions.size(); ++i) data.normals.push_back(AsNormal(leaning));

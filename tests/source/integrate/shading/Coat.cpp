@@ -10,7 +10,7 @@ namespace {
 
 constexpr double coat_indices[] = {1, 1.33, 1.5, 2.4, 0.7};
 
-TEST(Coat, AtNormalIncidenceItMirrorsAsFresnelSaysAndAtGrazingAnglesEverything) {
+TEST(Coat, MatchesFresnelHeadOnAndMirrorsFullyAtGrazing) {
   for (const double index : coat_indices) {
     EXPECT_NEAR(Coat(index).Reflectance(1), FresnelReflectance(1, 1 / index), 1e-15) << index;
     EXPECT_EQ(Coat(index).Reflectance(0), 1) << index;

@@ -30,7 +30,7 @@ TEST(Extremes, F3_ExtremeIndicesGiveFiniteDirectionsOrTotalReflection) {
     }
 }
 
-TEST(Extremes, F4_AtTheCriticalAngleAndUlpsBesideItOneRuleHolds) {
+TEST(Extremes, F4_RefractionStopsForGoodAtTheCriticalAngle) {
   // sin = 1 / eta is the critical sine. Nothing may be NaN, and once rays stop coming out they must not start again.
   const double eta = 1.5;
   double sine = 1 / eta;

@@ -23,7 +23,7 @@ ShadingPoint Seen(const project::Stage& stage, const R3::Ray& ray) {
   return ShadingPointAt(stage.world, ray, {}, *hit);
 }
 
-TEST(Absorption, ThroughABallAlongItsDiameterIsTheExponentialOfIt) {
+TEST(Absorption, ThroughABallIsExponentialInItsDiameter) {
   for (const double radius : {0.5, 1.0, 3.0}) {
     const project::Stage stage(
         project::FromText("background 1 1 1 camera 0 0 9  0 0 -1  0 1 0  1e-8  0.01 100 "
@@ -59,7 +59,7 @@ TEST(Absorption, IsOfTheInsideAloneHoweverLongTheDirection) {
   }
 }
 
-TEST(ShadingPoints, MadeTogetherAreThoseMadeOneByOneToTheBit) {
+TEST(ShadingPoints, InBatchesEqualSingleOnesBitForBit) {
   // Sizes whose areas or squares leave the range of doubles make the loops give up, and others must not suffer.
   // What stands still is made as if nothing else moved.
   const auto compare = [](const std::string& s, bool moves) {
@@ -140,7 +140,7 @@ TEST(Leaving, IsWhatIsFlatAndOutwardWhatIsConvex) {
 
 // What is known of a departure decides for every surface that is not met at an angle of less than 2^-10, the one that
 // is left among them.
-TEST(Leaving, ChangesNoAnswerButForWhatIsLeftAtAGrazingAngle) {
+TEST(Leaving, ChangesNoAnswerExceptAtGrazingAngles) {
   std::size_t leaving = 0, grazing = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Draw draw(seed);
@@ -180,7 +180,7 @@ TEST(Leaving, ChangesNoAnswerButForWhatIsLeftAtAGrazingAngle) {
   EXPECT_LT(grazing, leaving / 500);
 }
 
-TEST(Reaching, ChangesNoAnswerButThatALampNeverBlocksItsOwnLightByRounding) {
+TEST(Reaching, OnlyKeepsLampsFromBlockingThemselvesByRounding) {
   // Lamps of every form, one of them around what it lights, and things in between.
   const project::Stage stage(project::FromText(
       "material 0 0 0  1 1 1  0 0 0  0 0 0  2 2 2  10 1 0  material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 0 "

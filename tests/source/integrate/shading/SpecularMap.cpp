@@ -87,7 +87,7 @@ TEST(SpecularMap, ThatIsHalfBlackMirrorsOnOneHalfAlone) {
 }
 
 // kd / pi over the hemisphere and the mirror together lose nothing, so the ball cannot be seen.
-TEST(SpecularMap, WhatItTakesFromAMirrorTheDiffuseLobeCanGiveInAWhiteFurnace) {
+TEST(SpecularMap, LeavesTheDiffuseLobeWhatItTakesFromMirrors) {
   const std::string furnace =
       "background 1 1 1  camera 0 0 6  0 0 -1  0 1 0  .3  .01 100  dir_light 0 0 0 0 0 -1 "
       "material 0 0 0  .75 .75 .75  1 1 1  0 0 0  0 0 0  30 1 0  sphere 0  0 0 0  1 ";

@@ -50,7 +50,7 @@ TEST(TextureScale, RepeatsAllImagesAsTextureCoordinatesDo) {
 }
 
 // An image that repeats along u alone ends at the pole in its last row.
-TEST(TextureScale, AtAPoleTheRowIsNotBlendedWithItsOtherSide) {
+TEST(TextureScale, RepeatedTexturesAreNotBlendedAcrossPoles) {
   R3::Intersection pole{};
   pole.uv = {0.25, 1}, pole.v_ends = {R3::VEnd::pole, R3::VEnd::pole};
   EXPECT_EQ(PlaceOnTexture(pole, {1, 1}).v_ends.high, R3::VEnd::pole);

@@ -30,7 +30,7 @@ std::string ErrorOf(const MeshFormat& format, const std::string& bytes) {
 }
 
 // A mistake in line 1 of what is no mesh, or a mesh without faces, would say nothing about what is wrong.
-TEST(Looks, AFileThatIsNoMeshIsSaidToBeWhatItIs) {
+TEST(Looks, NonMeshFilesAreIdentified) {
   const std::map<std::string, std::string> looks{
       {"coff.o", "a COFF object file"},
       {"coff32.o", "a COFF object file"},
@@ -88,7 +88,7 @@ TEST(Looks, WhatIsReadIsNotJudgedByItsLook) {
   EXPECT_EQ(LookOf("v 0 0 0\n").what, nullptr);
 }
 
-TEST(Looks, AnObjFileWithoutAnyVertexOfObjIsAnError) {
+TEST(Looks, AnObjFileWithoutVerticesIsAnError) {
   Report report;
   const auto error = [&](const std::string& name, const std::string& bytes) {
     try {

@@ -24,7 +24,7 @@ double AreaOf(const Cuts& cuts, std::span<const R3::Point> polygon) {
   return area;
 }
 
-TEST(Extremes, D9_AConcaveFaceIsCutIntoTrianglesThatCoverItOnce) {
+TEST(Extremes, D9_TrianglesCoverAConcaveFaceOnce) {
   // A fan from the first corner would cover ground outside of each.
   const std::vector<R3::Point> arrow{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1.9, 0.1, 0}};
   EXPECT_NEAR(AreaOf(*Triangulate(arrow), arrow), 0.2, 1e-12);
@@ -59,7 +59,7 @@ std::vector<std::vector<R3::Point>> ConcavePolygons(int n) {
   return {comb, star, spiral};
 }
 
-TEST(Extremes, D9_AConcaveFaceOf5000CornersIsCutIntoTrianglesThatCoverItOnce) {
+TEST(Extremes, D9_TrianglesCoverAConcaveFaceOf5000CornersOnce) {
   for (const int n : {300, 5000})
     for (const auto& polygon : ConcavePolygons(n)) {
       const auto cuts = Triangulate(polygon);
@@ -99,7 +99,7 @@ TEST(Extremes, D9_AFaceWhoseSidesCrossIsCutWhereTheyDo) {
 }
 
 // Each of them would be a vertex of its own.
-TEST(Extremes, D9_SidesThatCrossMoreOftenThanThereAreCornersAreNotCut) {
+TEST(Extremes, D9_SidesThatCrossTooOftenAreNotCut) {
   constexpr int n = 101;
   std::string off = "OFF 101 1 0\n", face = "101";
   for (int i = 0; i < n; ++i) {
@@ -112,7 +112,7 @@ TEST(Extremes, D9_SidesThatCrossMoreOftenThanThereAreCornersAreNotCut) {
   EXPECT_EQ(mesh.triangles.size(), 99u);
 }
 
-TEST(Extremes, D9_WhereSidesCrossAVertexIsBetweenTheirsInEveryWay) {
+TEST(Extremes, D9_CrossingVerticesInterpolateEveryAttribute) {
   const auto expect_middle = [](const char* name, const std::string& text, std::size_t vertices) {
     const R3::MeshData mesh = Read(name, text).data;
     ASSERT_EQ(mesh.positions.size(), vertices) << text;
@@ -140,7 +140,7 @@ TEST(Extremes, D9_WhereSidesCrossAVertexIsBetweenTheirsInEveryWay) {
       5);
 }
 
-TEST(Extremes, D9_AFaceThatTakesTooLongIsCutAsAFanWithAWarning) {
+TEST(Extremes, D9_SlowFacesAreCutAsFansWithAWarning) {
   // Crosses itself very often, so that hardly any corner is an ear.
   constexpr int n = 20'001;
   std::string off = "OFF " + std::to_string(n) + " 1 0\n", face = std::to_string(n);
@@ -156,7 +156,7 @@ TEST(Extremes, D9_AFaceThatTakesTooLongIsCutAsAFanWithAWarning) {
       (std::vector<std::string>{"a.off: warning: concave faces with very many corners, triangulated as if convex: 1"}));
 }
 
-TEST(Extremes, D9_EveryEdgeOfAFaceStaysAnEdgeOfItsTriangles) {
+TEST(Extremes, D9_EdgesOfAFaceStayEdgesOfItsTriangles) {
   // So faces that met along an edge still do, and a closed mesh stays closed. The third polygon crosses itself, the
   // fourth repeats a corner, the fifth is not flat, the last has no area at all.
   const std::vector<std::vector<R3::Point>> polygons{
@@ -184,7 +184,7 @@ TEST(Extremes, D9_EveryEdgeOfAFaceStaysAnEdgeOfItsTriangles) {
   }
 }
 
-TEST(Extremes, D9_AConvexFaceIsAFanFromItsFirstCornerWhereverItFaces) {
+TEST(Extremes, D9_ConvexFacesAreFansFromTheirFirstCorner) {
   for (int axis = 0; axis < 3; ++axis)
     for (const bool reversed : {false, true}) {
       std::vector<R3::Point> square;

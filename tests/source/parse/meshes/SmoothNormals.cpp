@@ -33,7 +33,7 @@ void ExpectNear(const R3::Normal& a, const R3::Vector& b) {
 
 // Three sides meet at a corner of a cube, some of them in two triangles: each counts by its angle, so that the normal
 // is the diagonal.
-TEST(SmoothNormals, OfACubeAreItsDiagonalsAboveARightAngleAndItsSidesBelow) {
+TEST(SmoothNormals, OfACubeAreDiagonalOnlyAboveNinetyDegrees) {
   for (const bool shares_vertices : {true, false}) {
     R3::MeshData round = Cube(shares_vertices);
     SmoothByAngle(round, 91);
@@ -105,7 +105,7 @@ std::vector<R3::Normal> NormalsAtTheRidge(const R3::MeshData& data) {
   return normals;
 }
 
-TEST(SmoothNormals, OfAFileWithoutAnyAreThoseOfItsSmoothingGroups) {
+TEST(SmoothNormals, FollowSmoothingGroupsWhereTheFileHasNone) {
   const std::string left = "f 1 4 3 2\n", right = "f 2 3 6 5\n";
   const double h = std::sqrt(0.5);
   for (const char* both : {"s 1\n", "s 7\n"})
@@ -121,7 +121,7 @@ TEST(SmoothNormals, OfAFileWithoutAnyAreThoseOfItsSmoothingGroups) {
     ExpectNear(n, {n.x < 0 ? -h : h, h, 0});
 }
 
-TEST(SmoothNormals, OfTheFileAreKeptAndTheGroupsFillUpTheRest) {
+TEST(SmoothNormals, GivenInTheFileWinOverSmoothingGroups) {
   const auto normals = NormalsAtTheRidge(Roof("vn 0 0 1\ns 1\nf 1 4 3//1 2\nf 2 3 6 5\n", "smooth"));
   int of_file = 0, of_group = 0;
   for (const R3::Normal& n : normals) (n.z == 1 ? of_file : of_group) += 1;
@@ -143,7 +143,7 @@ TEST(SmoothNormals, TheAngleIsOneInDegrees) {
 }
 
 // All pairs of them would take minutes.
-TEST(SmoothNormals, OfAPlaceWhereVeryManyTrianglesMeetTakeNoTime) {
+TEST(SmoothNormals, AreFastWhereManyTrianglesMeet) {
   R3::MeshData fan;
   fan.positions.push_back({0, 0, 0});
   constexpr std::uint32_t n = 100'000;

@@ -15,7 +15,7 @@ const std::string ply_header =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
     "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
 
-TEST(Surplus, ANumberThatIsNoFiniteOneIsAnErrorWithItsPlaceInEveryFormat) {
+TEST(Surplus, EveryFormatReportsNonFiniteNumbersWithTheirPlace) {
   for (const std::string word : {"1.#QNAN", "-1.#IND", "1.#INF00", "1.#J", "nan", "-inf", "-nan(ind)"}) {
     const std::string got = " must be a finite number, got '" + word + "'";
     EXPECT_EQ(MeshErrorOf("a.off", "OFF\n3 1 0\n0 0 0\n1 " + word + " 0\n0 1 0\n3 0 1 2\n"),
@@ -32,7 +32,7 @@ TEST(Surplus, ANumberThatIsNoFiniteOneIsAnErrorWithItsPlaceInEveryFormat) {
   EXPECT_EQ(ReportOf("sphere -1 0 0 0 1#comment\n"), "");
 }
 
-TEST(Surplus, VerticesOfOffWithMoreNumbersThanDeclaredAreAWarningWhereNothingElseLacks) {
+TEST(Surplus, ExtraOffVertexNumbersAreWarningsWhenNothingIsMissing) {
   const std::string faces = "3 0 1 2\n3 0 2 3\n";
   const auto read =
       MeshOfBytes("a.off", "OFF\n4 2 0\n0 0 0 .5 .5 1\n1 0 0 .5 .5 1\n1 1 0 .5 .5 1\n0 1 0 .5 .5 1\n" + faces);
@@ -41,7 +41,7 @@ TEST(Surplus, VerticesOfOffWithMoreNumbersThanDeclaredAreAWarningWhereNothingEls
   EXPECT_EQ(read.warnings.size(), 1u);
 }
 
-TEST(Surplus, VerticesOfOffWithMoreNumbersThanDeclaredAreAnErrorWhereFacesLack) {
+TEST(Surplus, ExtraOffVertexNumbersAreErrorsWhenFacesAreMissing) {
   // Two lines of vertices would count as one vertex each, and what is left would be half the faces.
   const std::string vertices = "0 0 0 7\n1 0 0 7\n1 1 0 7\n0 1 0 7\n";
   const std::string hint = "the header declares 3 numbers for each vertex, but there are lines with more";
@@ -57,7 +57,7 @@ TEST(Surplus, VerticesOfOffWithMoreNumbersThanDeclaredAreAnErrorWhereFacesLack) 
             "a.off:5:7: the header declares 2 faces, but the file has 1; " + hint);
 }
 
-TEST(Surplus, TwoFacesOfOffOnALineAreNoFaceAndAColor) {
+TEST(Surplus, TwoOffFacesOnALineAreAnError) {
   const std::string vertices = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
   const std::string lacks =
       "the header declares 2 faces, but the file has 1; what follows a face on its line is taken as a color";
@@ -72,7 +72,7 @@ TEST(Surplus, TwoFacesOfOffOnALineAreNoFaceAndAColor) {
                 "a.off:7:9: warning: 1 face has ignored numbers behind its corners, more than a color has"});
 }
 
-TEST(Surplus, VerticesOfPlyWithMoreNumbersThanDeclaredAreAnError) {
+TEST(Surplus, ExtraPlyVertexNumbersAreErrors) {
   EXPECT_EQ(MeshErrorOf("a.ply", ply_header + "0 0 0 9\n1 0 0 9\n1 1 0 9\n0 1 0 9\n3 0 1 2\n3 0 2 3\n"),
             "a.ply:10:7: vertex 0 has more numbers than the header declares; declared: x, y, z");
   EXPECT_EQ(MeshErrorOf("a.ply", ply_header + "0 0 0\n1 0 0\n1 1 0 .5 .5\n0 1 0\n3 0 1 2\n3 0 2 3\n"),
@@ -96,7 +96,7 @@ TEST(Surplus, RowsOfPlyMayBeBrokenAnywhere) {
   }
 }
 
-TEST(Surplus, FacesOfPlyWithMoreNumbersThanDeclaredKeepTheirCornersWithAWarning) {
+TEST(Surplus, ExtraPlyFaceNumbersAreIgnoredWithAWarning) {
   const std::string vertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
   const auto read = MeshOfBytes("a.ply", ply_header + vertices + "3 0 1 2 .599829\n3 0 2 3 .25\n");
   EXPECT_EQ(read.data.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}}));
@@ -117,7 +117,7 @@ TEST(Surplus, ALengthOfAListThatIsNoneIsNamed) {
             "0.599829");
 }
 
-TEST(Surplus, NumbersBehindAVertexOrFaceOfRayAreAnError) {
+TEST(Surplus, ExtraRayVertexAndFaceNumbersAreErrors) {
   const std::string vertices = "#vertex 0 0 0 0 0 1 0 0\n#vertex 1 0 0 0 0 1 0 0\n#vertex 0 1 0 0 0 1 0 0\n";
   EXPECT_EQ(MeshErrorOf("a.ray", "#vertex 0 0 0 0 0 1 0 0 9\n"),
             "a.ray:1:25: unexpected number '9'; a vertex has 8 numbers");
@@ -143,7 +143,7 @@ TEST(Surplus, StatementsOfObjHaveAsManyNumbersAsTheyMay) {
   EXPECT_EQ(MeshErrorOf("a.obj", "vn 0 0 1 0\n"), "a.obj:1:10: a normal has 3 numbers, unexpected '0'");
 }
 
-TEST(Surplus, AWrongCountOfFacesInABinaryStlIsNoTrailingByte) {
+TEST(Surplus, AWrongBinaryStlFaceCountIsReportedAsSuch) {
   const std::string header(80, ' ');
   const std::string triangle(50, '\0');
   EXPECT_EQ(MeshErrorOf("a.stl", header + std::string("\1\0\0\0", 4) + triangle + triangle),
@@ -155,7 +155,7 @@ TEST(Surplus, AWrongCountOfFacesInABinaryStlIsNoTrailingByte) {
                 "...' (100 bytes)");
 }
 
-TEST(Surplus, AListThatObjDefinesTooLateIsNoMissingOne) {
+TEST(Surplus, ObjListsDefinedTooLateAreNotCalledMissing) {
   EXPECT_EQ(MeshErrorOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//1 3//1\nvn 0 0 1\n"),
             "a.obj:4:3: a normal is used before the first is defined");
   EXPECT_EQ(MeshErrorOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/x 2 3\n"),

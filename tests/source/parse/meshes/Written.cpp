@@ -123,7 +123,7 @@ TEST(WrittenMeshes, CornersOfPlyThatAgreeAreOneVertex) {
   EXPECT_EQ(WrittenMesh("wedges_quads.ply").data.positions.size(), 8u);
 }
 
-TEST(WrittenMeshes, NormalsOfOffFollowTheColorsWhereMeshLabWroteThem) {
+TEST(WrittenMeshes, OffNormalsFollowColorsInFilesFromMeshLab) {
   // Its corners' normals point away from the box's middle, and are no colors of 0 or 255.
   const R3::MeshData data = WrittenMesh("ncst.off").data;
   ASSERT_EQ(data.normals.size(), 8u);

@@ -60,7 +60,7 @@ TEST(Placing, LookAtTurnsTheZAxisToItsTarget) {
   ExpectNear(slanted * R3::Point{1, 0, 0}, {0, 0, -1});
 }
 
-TEST(Placing, ACameraLooksAtAPointUnderAWholeAngleInDegrees) {
+TEST(Placing, LookAtTakesATargetAndFullAngleInDegrees) {
   const Camera words = ParseText("camera look_at 1 2 3  1 2 -4  0 1 0  60").scene.camera;
   const Camera numbers =
       ParseText("camera 1 2 3  0 0 -7  0 1 0  " + std::to_string(std::numbers::pi / 6) + " .01 100").scene.camera;

@@ -42,7 +42,7 @@ TEST(Projection, WithoutANumberItsAngleIsThatOfTheCamera) {
   EXPECT_DOUBLE_EQ(camera.Extent(), 180 / std::numbers::pi);  // two times half a radian
 }
 
-TEST(Projection, AnOrthographicOneIsAsWideAsThePinholeAtTheMiddle) {
+TEST(Projection, OrthographicViewsMatchThePinholeWidthAtTheMiddle) {
   EXPECT_DOUBLE_EQ(CameraOf(view + "projection orthographic").extent, 2 * 5 * std::tan(0.5));
   EXPECT_EQ(CameraOf(view + "projection orthographic 3").extent, 3);
   EXPECT_EQ(CameraOf("camera 0 0 0  0 0 -1  0 1 0  0.5  0.01 100 projection orthographic sphere -1 0 0 0 1").extent,
@@ -74,7 +74,7 @@ TEST(Projection, AnglesThatItDoesNotHaveAreRefused) {
   EXPECT_EQ(refusal(Projected("fisheye", 360)), "");
 }
 
-TEST(Projection, EveryLineOfTheTableIsInTheManualOfScenes) {
+TEST(Projection, EveryKindIsInTheSceneManual) {
   const std::string manual = ManualPage("scn", Program::raypro);
   for (const CameraKind* kind : CameraKinds()) {
     EXPECT_TRUE(Contains(manual, std::string(kind->name) + ": ")) << kind->name;

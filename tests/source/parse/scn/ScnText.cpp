@@ -69,13 +69,13 @@ void ExpectTheSameAgain(const fs::path& file) {
   EXPECT_TRUE(PictureOf(std::move(again)) == PictureOf(std::move(*scene))) << file;
 }
 
-TEST(ScnText, OfEveryOwnSceneMakesTheSamePictureAndIsTheSameTextWhenWrittenAgain) {
+TEST(ScnText, OfOurScenesGivesTheSameImageAndTextAgain) {
   for (const char* folder :
        {"scenes", "writeup/scenes", "tests/source/parse/models", "tests/source/parse/meshes/files"})
     for (const fs::path& file : ScenesBelow(project::Root() / folder)) ExpectTheSameAgain(file);
 }
 
-TEST(ScnText, OfEveryScenePublishedByACourseMakesTheSamePicture) {
+TEST(ScnText, OfEveryCourseSceneGivesTheSameImage) {
   std::vector<fs::path> files;
   for (const char* course : {"scenes-cos426", "scenes-groningen", "scenes-cs315", "scenes-comp30019"}) {
     const auto more = ScenesBelow(project::Shared() / course);
@@ -85,7 +85,7 @@ TEST(ScnText, OfEveryScenePublishedByACourseMakesTheSamePicture) {
   for (const fs::path& file : files) ExpectTheSameAgain(file);
 }
 
-TEST(ScnText, OfEveryShapeAndLightHasTheVeryNumbersThatItWasMadeFrom) {
+TEST(ScnText, OfShapesAndLightsKeepsTheirOriginalNumbers) {
   for (const R3::ShapeKind* kind : R3::ShapeKinds()) {
     const auto made = kind->make(kind->example)->MadeFrom();
     ASSERT_TRUE(made) << kind->name;
@@ -132,7 +132,7 @@ TEST(ScnText, SaysEverythingThatTheLanguageHasAWordFor) {
   EXPECT_EQ(WriteScn(Parse(folder / "in.scn", {}).scene, folder / "out.scn").text, text);
 }
 
-TEST(ScnText, AnIncludedFileInsideAGroupKeepsTheDefaultMaterialItInherits) {
+TEST(ScnText, IncludesInGroupsKeepTheInheritedDefaultMaterial) {
   const Folder folder;
   folder.Write("part.scn", "sphere -1 0 0 0 1\n");
   folder.Write("in.scn", red + "begin 0" + identity + "include part.scn\nend\n");
@@ -216,7 +216,7 @@ TEST(ScnText, APictureThatIsMirroredStaysSo) {
   EXPECT_EQ(Parse(folder / "out.scn", {}).scene.camera.right, scene.camera.right);
 }
 
-TEST(ScnText, AMeshOfNoFileThatIsSmoothOrALampIsOneFileHoweverOftenItIsUsed) {
+TEST(ScnText, SmoothOrEmissiveMeshesOfNoFileAreWrittenOnce) {
   Material lamp;
   lamp.emission = {1, 1, 1};
   EXPECT_EQ(WriteScn(SceneOf(std::make_shared<const R3::Mesh>(Fan(false)), lamp), "/nowhere/a.scn").meshes.size(), 1u);
@@ -229,7 +229,7 @@ TEST(ScnText, AMeshOfNoFileThatIsSmoothOrALampIsOneFileHoweverOftenItIsUsed) {
   EXPECT_TRUE(text.text.ends_with("mesh 0 a-1.obj smooth\nmesh 0 a-1.obj smooth\n")) << text.text;
 }
 
-TEST(ScnText, FilesAreNamedAsSeenFromTheFolderOfTheText) {
+TEST(ScnText, FilesAreNamedRelativeToTheTextsFolder) {
   const Folder folder;
   folder.Write("models/one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   folder.Write("in.scn", "mesh -1 models/one.off\n");
@@ -273,7 +273,7 @@ TEST(ScnText, NamesTheMapsOfAMaterial) {
   EXPECT_TRUE(Contains(text, maps)) << text;
 }
 
-TEST(ScnText, AMeshWrittenBesideASceneWithABlankInItsNameIsFound) {
+TEST(ScnText, MeshesBesideASceneNamedWithBlanksAreFound) {
   const Folder folder;
   folder.Write("in.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 1 1 1 10 1 0\nmesh 0 m.off smooth\n");
   folder.Write("m.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");

@@ -42,7 +42,7 @@ TEST(Forecast, AnErrorThatDoesNotFallIsNeverThere) {
   EXPECT_FALSE(ForecastOf(passes, one)->has_stalled) << "only four times the samples";
 }
 
-TEST(Forecast, StalledIsWhatHasNotFallenByHalfWithSixteenTimesTheSamples) {
+TEST(Forecast, StalledMeansNotHalvedBySixteenfoldSamples) {
   const auto has_stalled = [](double last) {
     return ForecastOf(std::vector{PassOf(16, 3), PassOf(64, 9), PassOf(256, last)}, one)->has_stalled;
   };

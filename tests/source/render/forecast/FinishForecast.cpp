@@ -42,7 +42,7 @@ TEST(FinishForecast, LooksAtLittleFromAllOverThePicture) {
   EXPECT_NE(forecast.Seconds(), 3) << "what it was told before counts no more";
 }
 
-TEST(FinishForecast, TakesTheWholeToTakeAsMuchAsItHasMorePixels) {
+TEST(FinishForecast, ScalesWithTheNumberOfPixels) {
   using std::chrono::milliseconds;
   int attempts = 0;
   FinishForecast forecast(0, [&](const R2::Image& parts) {

@@ -55,7 +55,7 @@ TEST_F(CameraMoves, AimedAgainACameraStaysAsItIs) {
   }
 }
 
-TEST_F(CameraMoves, APrintedCameraReadsBackTheSameHereAndInAScene) {
+TEST_F(CameraMoves, PrintedCamerasReadBackHereAndInScenes) {
   for (int i = 0; i < 200; ++i) {
     Camera camera =
         Rotated(i % 2 == 0 ? AnyCamera() : AnyShiftedCamera(), R3::Point{} + Vector(5), {Number(-1, 1), Number(-1, 1)});
@@ -132,7 +132,7 @@ TEST_F(CameraMoves, ZoomIsTheCoursesAndKeepsTheCentersPixel) {
   }
 }
 
-TEST_F(CameraMoves, AFramedBoxFillsMostOfThePictureAndLeavesNoneOutside) {
+TEST_F(CameraMoves, FramedBoxesFillMostOfTheImageAndStayInside) {
   for (int i = 0; i < 500; ++i) {
     R3::Box box;
     box.Extend(R3::Point{} + Vector(100));

@@ -32,7 +32,7 @@ TEST(Contexts, AnUnknownKindIsToldTheKindsThereAre) {
   EXPECT_EQ(Complaint("vulkan"), "unknown context 'vulkan'; choose one of auto, egl, osmesa");
 }
 
-TEST(Contexts, AKindNotBuiltInNamesThePackageThatBringsIt) {
+TEST(Contexts, AKindNotBuiltInNamesItsPackage) {
   const std::string again = " and rebuild";
 #ifdef RAYVIEW_EGL
   EXPECT_EQ(Complaint("egl").find("not built in"), std::string::npos);

@@ -103,7 +103,7 @@ TEST_F(WindowOnADisplay, TellsKeysWithTheirModifiersAndTheKeypadApart) {
 }
 
 // Asked for when the event is read, the place would be where the pointer has gone since.
-TEST_F(WindowOnADisplay, TellsWhereAButtonWasPressedAndReleasedCountedFromTheLowerLeft) {
+TEST_F(WindowOnADisplay, TellsWhereButtonsWerePressedAndReleased) {
   Do("windowfocus mousemove --window %1 50 40 mousedown 3 mousemove --window %1 200 150 mouseup 3 "
      "mousemove --window %1 60 60 click 4 click 5 key q");
   const auto events = WaitFor([](const Event& event) { return IsReleaseOf(event, Key::q); });

@@ -101,7 +101,7 @@ R2::Image Thicket() {
 }
 
 // Else a picture that a test expects would have to be kept once for each kind.
-TEST(Drawings, AreTheSameBytesInEveryKindOfContextWithTheSameRenderer) {
+TEST(Drawings, AreTheSameBytesInEveryContextOfOneRenderer) {
   std::map<std::string, std::vector<R2::Image>> pictures;  // by renderer
   for (const std::string& kind : ray::OffscreenContextKinds()) try {
       const auto context = ray::MakeOffscreenContext(kind);
@@ -163,7 +163,7 @@ TEST_P(Painter, ShowsWhatIsInFrontWhateverTheOrder) {
   }
 }
 
-TEST_P(Painter, BlendsClearTrianglesOverOthersAndLetsLaterOnesBeSeenBehind) {
+TEST_P(Painter, BlendsClearTrianglesAndShowsLaterOnesBehind) {
   painter->canvas.Begin(4, 4, {});
   painter->surfaces.Draw(*painter->surfaces.Upload(Wall(-0.5F, {255, 0, 0, 51})), as_it_is, from_front);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), (Rgba{51, 0, 0, 255}));
@@ -273,7 +273,7 @@ std::vector<float> HardChannels() {
   return channels;
 }
 
-TEST_P(Painter, ShowsAPictureAsTheBytesThatAnImageFileWouldHold) {
+TEST_P(Painter, ShowsTheBytesThatAnImageFileWouldHold) {
   const std::vector<float> channels = HardChannels();
   const int width = 64, height = static_cast<int>((channels.size() + 63) / 64);
   const auto picture = painter->pictures.Make(width, height);
@@ -314,7 +314,7 @@ TEST_P(Painter, LeavesOutRowsThatAreNotTracedYet) {
   }
 }
 
-TEST_P(Painter, PutsAPictureOnAQuadInSpaceUprightAndBehindWhatIsInFront) {
+TEST_P(Painter, PutsAnImageUprightOnAQuadBehindNearerThings) {
   const auto picture = painter->pictures.Make(2, 2);
   painter->pictures.Update(*picture, 0, 2, std::array{1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 1.F, 1.F, 1.F});
   const std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};

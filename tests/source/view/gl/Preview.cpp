@@ -63,7 +63,7 @@ constexpr double outline = 0.02;  // of the pixels, which a ball of flat triangl
 
 std::string Material(const std::string& rest) { return "material  0.2 0.3 0.4  " + rest + "\n"; }
 
-TEST_P(Preview, IsLitAsTheTracerIsByLightsOfEveryKind) {
+TEST_P(Preview, MatchesTheTracerUnderEveryKindOfLight) {
   const std::map<std::string, std::string> lights{
       {"dir_light", "dir_light 0.8 0.7 0.6  -1 -1 -2\n"},
       {"point_light", "point_light 0.8 0.7 0.6  2 2 4  0.2 0.1 0.05\n"},
@@ -124,7 +124,7 @@ TEST_P(Preview, HasTheReliefOfTheTracer) {
 }
 
 // The map has one color, so that it does not matter how much of it a pixel shows.
-TEST_P(Preview, TiltsNormalsAsTheTracerDoesOnEveryShapeMirroredOrNot) {
+TEST_P(Preview, TiltsNormalsLikeTheTracerOnAnyShapeEvenMirrored) {
   R2::Image map(1, 1);
   map.Set(0, 0, {0.75, 0.35, 0.9});
   const auto slope = std::make_shared<const ray::Texture>(ray::Texture{map});

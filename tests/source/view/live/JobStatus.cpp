@@ -37,7 +37,7 @@ TEST(JobStatus, TellsTheClaimWithItsIntervalAndTheSamples) {
   EXPECT_EQ(ClaimOf(result), "estimated error at most 1.8/255 (1.7 to 1.9), 64 samples");
 }
 
-TEST(JobStatus, TellsSamplesAndPercentAndTimeLeftWhereAnEndIsKnown) {
+TEST(JobStatus, TellsSamplesPercentAndTimeLeftIfKnown) {
   RenderSettings settings = Small();
   settings.samples = 8;
   const testing::Gated gated(16 * 16 * 2);

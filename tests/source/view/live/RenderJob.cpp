@@ -293,7 +293,7 @@ TEST(RenderJob, ContinuesWhatWasStoppedToTheSameBitsAndRays) {
 }
 
 // Samples of a render that stops by its error come in two streams, and the claim is made from both.
-TEST(RenderJob, WithAnErrorEndsWithTheBitsAndTheClaimOfRender) {
+TEST(RenderJob, WithAnErrorMatchesTheBitsAndClaimOfRender) {
   const auto scene = Loaded("area_light");
   for (const std::string filter : {"box", "gaussian"})
     for (const int ceiling : {1, 24})
@@ -373,7 +373,7 @@ TEST(RenderJob, WithoutAnEndGoesOnUntilItIsCanceled) {
 }
 
 // A picture is worth more when all of it is a little better than when a part of it is much better.
-TEST(RenderJob, NoPixelHasASecondSampleBeforeAllHaveOneAndEveryPassIsShown) {
+TEST(RenderJob, FinishesAndShowsEachPassBeforeTheNext) {
   const int pixels = 37 * 23;
   RenderSettings settings = Sized(37, 23);
   settings.threads = 1;
@@ -503,7 +503,7 @@ Camera Moved(Camera camera, std::mt19937& random) {
 
 // Jobs are started one after another while the last still runs, as when a user drags. A frame shared by two jobs showed
 // pixels of the old view in the new picture now and then. Images are small, so that a thousand take seconds.
-TEST(RenderJob, AThousandRestartsAtRandomTimesLeaveEveryFinishedPictureRight) {
+TEST(RenderJob, RandomRestartsLeaveEveryFinishedImageRight) {
   std::mt19937 random(7);
   const std::vector<std::shared_ptr<LoadedScene>> scenes{Loaded("hello"), Loaded("area_light"), Loaded("texture")};
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };

@@ -27,7 +27,7 @@ TEST_F(ViewerTest, KeySTracesThePictureThatRayproMakes) {
   EXPECT_EQ(StateLine("quad"), "yes");
 }
 
-TEST_F(ViewerTest, AMovedViewTracesAsTheSceneWithThePrintedCamera) {
+TEST_F(ViewerTest, AMovedViewTracesLikeItsPrintedCamera) {
   Do("drag left 10 10 25 17\nscroll 2 30 20\ndrag middle 5 5 9 9\nkey ]\nkey C\nkey S\nwait trace");
   ASSERT_EQ(host_.traced.size(), 1u);
   const std::string line = host_.printed.substr(0, host_.printed.find('\n'));
@@ -98,7 +98,7 @@ TEST_F(ViewerTest, ALivePictureWithAnErrorEndsWithItsClaim) {
   EXPECT_EQ(viewer_->Title(), "hello.scn 64x48 " + ClaimOf(*result));
 }
 
-TEST_F(ViewerTest, TheTitleChangesWithEachPassAndElseOnlyAsTimePasses) {
+TEST_F(ViewerTest, TheTitleChangesOnlyWithPassesAndTime) {
   Open(project::Root() / "scenes/hello.scn", {}, true);
   Do("tick 1\nkey P");
   std::map<int, std::set<std::string>> titles;
@@ -174,7 +174,7 @@ TEST_F(ViewerTest, FalseColorsRunFromNoDifferenceToTheLargest) {
 }
 
 // A student was told of an error that was not there: the file that raypro writes is clamped and rounded.
-TEST_F(ViewerTest, AnImageDoesNotDifferFromItsOwnFileOfBytes) {
+TEST_F(ViewerTest, AnImageDoesNotDifferFromItsOwnFile) {
   for (const bool srgb : {false, true}) {
     RenderSettings render;
     render.srgb = srgb;
@@ -229,7 +229,7 @@ TEST_F(ViewerTest, ARenderThatWasStoppedGoesOnWhereItWas) {
 }
 
 // The preview took its place at each move, and its shadows and mirrors came and went.
-TEST_F(ViewerTest, InMotionALiveImageIsStillOneThatIsTraced) {
+TEST_F(ViewerTest, ALiveImageStaysTracedInMotion) {
   Do("key P\nwait trace\ndown left 20 20");
   for (int x = 21; x < 60; ++x) {
     viewer_->Handle(MoveEvent{static_cast<double>(x), 20});

@@ -111,7 +111,7 @@ TEST(CrossSection, EntersAndLeavesInTurn) {
   EXPECT_EQ(entered, 0);
 }
 
-TEST(CrossSection, OfACubeAcrossItsDiagonalIsARegularHexagonWithItsCorners) {
+TEST(CrossSection, OfACubeAcrossItsDiagonalIsARegularHexagon) {
   const Model model(SceneOf({R3::MakeShape("box", {0, 0, 0, 1, 1, 1})}));
   const R3::Vector u = Unit(R3::Vector{1, -1, 0}), v = Unit(R3::Vector{1, 1, -2});
   const ray::Slice slice{{0.5, 0.5, 0.5}, u, v, 1};
@@ -123,7 +123,7 @@ TEST(CrossSection, OfACubeAcrossItsDiagonalIsARegularHexagonWithItsCorners) {
   EXPECT_NEAR(LengthOf(cut), 6 * std::sqrt(0.5), 1e-6);
 }
 
-TEST(CrossSection, OfACylinderAlongItsAxisIsARectangleAndAcrossItAnEllipse) {
+TEST(CrossSection, OfACylinderIsARectangleOrAnEllipse) {
   const Model model(SceneOf({R3::MakeShape("cylinder", {0, 0, 0, 0.5, 2})}));
   const ray::SceneCut along = model.Cut(ray::SlicePlane::xy, {0, 0, 0.3});
   EXPECT_EQ(ClosedCurves(along), 1);
@@ -232,7 +232,7 @@ TEST(CrossSection, IsExactForEverySolidTurnedMirroredAndStretched) {
   EXPECT_LE(torn, cuts / 2000);
 }
 
-TEST(CrossSection, OfASolidWithAHoleIsItsOutlineAndThatOfTheHole) {
+TEST(CrossSection, OfASolidWithAHoleHasTwoOutlines) {
   const Model model(project::FromText("csg difference -1\nbox -1  -2 -1 -2  2 1 2\ncylinder -1  0 0 0  1 2\nend\n"));
   const ray::SceneCut cut = model.Cut(ray::SlicePlane::xz, {0, 0.25, 0});
   EXPECT_EQ(ClosedCurves(cut), 2);
@@ -267,7 +267,7 @@ TEST(CrossSection, OfAMeshWithDentsIsOneRing) {
     EXPECT_EQ(ClosedCurves(model.Cut(plane, {0.1, 0.05, 0.02}, 150)), 1);
 }
 
-TEST(CrossSection, InThePlaneOfAFaceEndsAndShowsItsOutline) {
+TEST(CrossSection, InAFacesPlaneEndsAndShowsItsOutline) {
   const Model model(SceneOf({R3::MakeShape("box", {-1, -1, -1, 1, 1, 1})}));
   const ray::SceneCut cut = model.Cut(ray::SlicePlane::xz, {0, 1, 0});
   EXPECT_EQ(cut.lines_given_up, 0);
@@ -315,7 +315,7 @@ TEST(CrossSection, OfNothingIsNothing) {
   }
 }
 
-TEST(CrossSection, KeepsTheSidesOfAPlateThinnerThanACellApart) {
+TEST(CrossSection, SeparatesTheSidesOfPlatesThinnerThanACell) {
   const Model model(SceneOf({R3::MakeShape("box", {-1, -0.003, -1, 1, 0.003, 1})}, Draw(902).Rotation()));
   const R3::Transform turn = *R3::Transform::Of(Draw(902).Rotation());
   const ray::Slice slice{{}, turn * R3::Vector{0.96, 0.28, 0}, turn * R3::Vector{-0.28, 0.96, 0}, 1.5};
@@ -343,7 +343,7 @@ TEST(CrossSection, IsTheSameWithEveryAccelerator) {
   }
 }
 
-TEST(CrossSection, AlongARowOfThePictureHoldsAllItsRaysAndTheirHits) {
+TEST(CrossSection, AlongAnImageRowHoldsItsRaysAndHits) {
   const Model model(SceneOf({R3::MakeShape("sphere", {0.5, -0.25, 1, 1.5})}));
   const ray::Camera camera = ray::Aim({3, 2, 9}, {-0.3, -0.25, -1}, {0.1, 1, 0.2}).camera;
   const double y = 70.5;
@@ -369,7 +369,7 @@ TEST(CrossSection, AlongARowOfThePictureHoldsAllItsRaysAndTheirHits) {
   EXPECT_GT(hits, 20);
 }
 
-TEST(CrossSection, IsDrawnWithinItsSquareAndInTheColorOfWhatIsCut) {
+TEST(CrossSection, IsDrawnInItsSquareInTheMaterialsColor) {
   ray::Scene scene = SceneOf({R3::MakeShape("sphere", {0, 0, 1e12, 1e3})});
   scene.materials[0].kd = scene.materials[0].ks = scene.materials[0].kr = {1, 0, 0};
   const Model model(std::move(scene));

@@ -73,7 +73,7 @@ TEST(NodeBoxes, OfEmptyGroupsAreLeftOut) {
   EXPECT_TRUE(ray::NodeBoxLines(stage.world, {}, ray::all_levels).lines.empty());
 }
 
-TEST(NodeBoxes, OfAGraphAHundredThousandLevelsDeepDoNotNeedAStackOfThatDepth) {
+TEST(NodeBoxes, OfAHundredThousandLevelsNeedLittleStack) {
   constexpr int depth = 100'000;
   ray::Node node = accelerators::Leaf(R3::MakeShape("sphere", {0, 0, 0, 1}));
   for (int i = 0; i < depth; ++i) {
@@ -168,7 +168,7 @@ TEST(LightLines, AreThereForEveryKindOfLightInItsColor) {
   }
 }
 
-TEST(LightLines, OfLightsThatShineOneWayHaveAnArrowThatWay) {
+TEST(LightLines, OfDirectedLightsHaveAnArrowThatWay) {
   const auto lines = [](const std::string& text) {
     const project::Stage stage(project::FromText(text));
     return ray::LightLines(*stage.scene, {});

@@ -40,7 +40,7 @@ R2::Point MiddleOf(const Lines& lines) {
   return sum;
 }
 
-TEST(SectionView, HasADotForTheCameraAndTheLineOfItsScreenBeforeIt) {
+TEST(SectionView, MarksTheCameraWithADotAndItsScreenLine) {
   RenderSettings settings;
   settings.width = settings.height = 100;
   const Lines eye = MarkFrom(4, dot, settings), line = MarkFrom(4, screen, settings);
@@ -70,7 +70,7 @@ TEST(SectionView, HasTheScreenAtTheFocusDistanceOfALens) {
   EXPECT_NEAR((line[0].at[1] - from) / (nearer[0].at[1] - from), 2, 1e-2);
 }
 
-TEST(SectionView, LeavesACameraFarAwayOutsideSoThatTheSceneStaysLarge) {
+TEST(SectionView, LeavesDistantCamerasOutsideToKeepTheSceneLarge) {
   RenderSettings settings;
   settings.width = settings.height = 100;
   EXPECT_LT(MiddleOf(MarkFrom(100, dot, settings)).y, -10);

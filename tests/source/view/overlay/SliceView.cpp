@@ -52,7 +52,7 @@ struct Seen {
 // Sums over rows of pixels: as exact as a row is narrow, here to a part in a hundred.
 constexpr double share = 0.01;
 
-TEST(CutFilling, OfASphereIsADiskAndOfATorusARingOrTwoDisks) {
+TEST(CutFilling, OfSpheresAndToriIsDisksAndRings) {
   constexpr double pi = std::numbers::pi;
   const Seen sphere(R3::MakeShape("sphere", {5, 2, 3, 1.5}), ray::SlicePlane::xz, {0, 2.9, 0});
   const double disk = pi * (1.5 * 1.5 - 0.9 * 0.9);
@@ -82,7 +82,7 @@ TEST(CutFilling, IsOfClosedMeshesAndNotOfSheets) {
   EXPECT_EQ(sheet.Area(), 0);
 }
 
-TEST(SliceView, HoldsAllOfTheSceneAndIsFilledByItOneWay) {
+TEST(SliceView, HoldsTheSceneAndIsFilledInOneDirection) {
   Draw draw(71);
   for (int i = 0; i < 1000; ++i) {
     const double size = draw.Scale(-6, 6);
@@ -153,7 +153,7 @@ TEST(SliceView, NumbersAreNeverPowersAndNeverAlike) {
   }
 }
 
-TEST(SliceView, TicksAreAtTheLeastOf1And2And5ThatLeavesRoom) {
+TEST(SliceView, TicksTakeTheFinestStepOfOneTwoOrFive) {
   EXPECT_DOUBLE_EQ(ray::TickStep(10, 10), 1);
   EXPECT_DOUBLE_EQ(ray::TickStep(10, 9), 2);
   EXPECT_DOUBLE_EQ(ray::TickStep(10, 4), 5);

@@ -122,7 +122,7 @@ class PanelContrast : public ScriptedViewer<WithOptions, 512, 512> {
   }
 };
 
-TEST_F(PanelContrast, LettersOfEveryPanelAreReadInBothThemesWhateverIsBehindThem) {
+TEST_F(PanelContrast, LettersAreReadableInBothThemesOverAnything) {
   for (const char* theme : {"dark", "light"}) {
     SCOPED_TRACE(theme);
     Open(project::Root() / "scenes/hello.scn");
@@ -155,7 +155,7 @@ int GroundsOf(const PanelDrawing& drawing, int gray) {
   return count;
 }
 
-TEST_F(PanelContrast, LabelsOverTheViewAreReadInBothThemesAndAreOfTheTheme) {
+TEST_F(PanelContrast, LabelsOverTheViewFollowTheThemeAndAreReadable) {
   for (const PanelTheme theme : {PanelTheme::dark, PanelTheme::light}) {
     SCOPED_TRACE(theme == PanelTheme::dark ? "dark" : "light");
     const int own = theme == PanelTheme::dark ? 0 : Label::light_ground;
@@ -209,7 +209,7 @@ int LettersCutOff(const PanelDrawing& drawing) {
   return count;
 }
 
-TEST_F(PanelContrast, NoLineOfAPanelIsCutOffAtItsEdgeInSmallAndLargeWindows) {
+TEST_F(PanelContrast, NoPanelLineIsCutOffAtAnyWindowSize) {
   for (const char* size : {"512 512", "1280 800", "3840 2160 2"}) {
     SCOPED_TRACE(size);
     Open(project::Root() / "scenes/hello.scn");
@@ -233,7 +233,7 @@ TEST_F(PanelContrast, NoLineOfAPanelIsCutOffAtItsEdgeInSmallAndLargeWindows) {
   }
 }
 
-TEST(PanelMarks, FramesAndTicksStandOutFromTheColumnInBothThemes) {
+TEST(PanelMarks, FramesAndTicksStandOutInBothThemes) {
   ImGuiContext* const context = ImGui::CreateContext();
   for (const PanelTheme theme : {PanelTheme::dark, PanelTheme::light}) {
     UseLook(theme, 1);
@@ -256,7 +256,7 @@ TEST(PanelMarks, FramesAndTicksStandOutFromTheColumnInBothThemes) {
   ImGui::DestroyContext(context);
 }
 
-TEST(PanelMarks, LegendOfRaysIsSeenOnItsBlackAndItsColorsAreNotEachOthers) {
+TEST(PanelMarks, RayLegendColorsAreVisibleOnBlackAndDistinct) {
   std::vector<Rgba> all{ColorOfNormals()};
   for (std::size_t kind = 0; kind < shown_ray_kinds; ++kind)
     for (const Rgba& color : ColorsOf(static_cast<ShownRays>(kind))) all.push_back(color);

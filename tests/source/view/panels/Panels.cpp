@@ -50,7 +50,7 @@ TEST_F(PanelTest, AreHiddenUntilTabShowsThem) {
   EXPECT_TRUE(viewer_->ItemsOfPanels().empty());
 }
 
-TEST_F(PanelTest, LeaveHalfOfASmallDrawingToThePictureAndCoverNoneOfIt) {
+TEST_F(PanelTest, LeaveHalfOfASmallDrawingUncovered) {
   Do("key Tab\ntick 10");  // no message is left
   const FrameState shown = viewer_->Show();
   EXPECT_GE(shown.view.width, width / 2);
@@ -150,7 +150,7 @@ TEST_F(PanelTest, AreAsWideAsTheirEdgeIsDragged) {
 }
 
 // A window that was small for a moment left panels of 130 pixels for ever.
-TEST_F(PanelTest, AreAsWideAsBeforeOnceASmallWindowIsLargeAgain) {
+TEST_F(PanelTest, RegainTheirWidthOnceTheWindowGrowsBack) {
   Do("resize 1000 700\nkey Tab");
   viewer_->Show();
   const int before = viewer_->Show().view.width;
@@ -193,7 +193,7 @@ TEST_F(PanelTest, AGroupOpensByItsArrow) {
   EXPECT_TRUE(HasItem("mesh of")) << viewer_->TextOfPanels();
 }
 
-TEST_F(PanelTest, WhatIsPickedInThePictureIsChosenInTheTree) {
+TEST_F(PanelTest, PickingInTheImageSelectsTheTreeNode) {
   Do("key Tab\nclick left 200 250");
   ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);
   ASSERT_TRUE(viewer_->state().selection.node);
@@ -210,7 +210,7 @@ TEST_F(PanelTest, KeepTheirClicksDragsAndScrollsFromThePicture) {
   EXPECT_FALSE(viewer_->Rays().Pixel());
 }
 
-TEST_F(PanelTest, ADragThatBeganInThePictureMayEndOverThem) {
+TEST_F(PanelTest, ADragFromTheImageMayEndOverThem) {
   Do("key Tab\ndrag left 100 100 400 100\ndrag left 100 100 400 100");
   EXPECT_FALSE(viewer_->navigator().IsDragging());
   const std::string turned = CameraLine(viewer_->navigator().camera());
@@ -241,7 +241,7 @@ TEST_F(PanelTest, RaysOfAPixelAreListedWithWhatTheyContribute) {
   EXPECT_TRUE(HasItem("shadow ")) << "its children are listed at once";
 }
 
-TEST_F(PanelTest, AChosenRayIsLitUpUntilItIsClickedAgain) {
+TEST_F(PanelTest, AChosenRayStaysLitUntilClickedAgain) {
   Do("key Tab\nclick right 200 250");
   EXPECT_FALSE(viewer_->Show().lit);
   Click("reflection ");
@@ -351,7 +351,7 @@ TEST_F(PanelTest, TheCommandIsCopied) {
   EXPECT_EQ(host_.clipboard, "make -samples 1\n");
 }
 
-TEST_F(PanelTest, ALayerIsChosenAndItsNumbersAreThoseOfThePicture) {
+TEST_F(PanelTest, AChosenLayersNumbersAreThoseOfTheImage) {
   Open(project::Root() / "scenes/sphere.scn");
   Do("resize 256 256\nkey Tab");
   Click("Scene");
@@ -463,7 +463,7 @@ TEST_F(PanelTest, WhatKeysSwitchIsSwitchedInTheDisplayPanelToo) {
   EXPECT_FALSE(viewer_->navigator().IsTurntable());
 }
 
-TEST_F(PanelTest, BoxesCutsAndTheAngleOfViewAreChosenInTheDisplayPanel) {
+TEST_F(PanelTest, TheDisplayPanelSetsBoxesCutsAndViewAngle) {
   Do("resize 512 1200\nkey Tab");
   for (const char* open : {"Scene", "Pixel", "Display"}) Click(open);
   const auto& overlays = viewer_->state().overlays;
@@ -521,7 +521,7 @@ TEST_F(PanelTest, AHeldKeyCountsAgainEachTimeItComes) {
   EXPECT_TRUE(Says("bookmark")) << viewer_->TextOfPanels();
 }
 
-TEST_F(PanelTest, TheStatusBarTellsTheSceneItsProgressAndThePixel) {
+TEST_F(PanelTest, TheStatusBarTellsSceneProgressAndPixel) {
   RenderSettings two;
   two.samples = 2;
   Open(project::Root() / "scenes/hello.scn", two);

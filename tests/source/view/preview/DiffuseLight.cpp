@@ -21,7 +21,7 @@ TEST(DiffuseLight, OfTheSameLightFromEverywhereIsThatLight) {
 }
 
 // Oracle: the environment's own samples, the cosine with which they arrive, over pi.
-TEST(DiffuseLight, IsWhatASurfaceScattersOfTheEnvironmentWithinThreePercent) {
+TEST(DiffuseLight, MatchesScatteredEnvironmentLightWithinThreePercent) {
   const ray::Environment sky = Sky();
   const ray::DiffuseLight light = ray::DiffuseLightOf(sky);
   for (const R3::Vector& N :
@@ -39,7 +39,7 @@ TEST(DiffuseLight, IsWhatASurfaceScattersOfTheEnvironmentWithinThreePercent) {
   }
 }
 
-TEST(Shrunk, KeepsTheMeanOfBlocksAndSmallImagesAsTheyAre) {
+TEST(Shrunk, KeepsBlockMeansAndLeavesSmallImagesAlone) {
   R2::Image image(5, 2);
   for (int x = 0; x < 5; ++x) image.Set(x, 1, {1.0 * x, 0, 0});
   EXPECT_EQ(ray::Shrunk(image, 5, 2), image);

@@ -56,7 +56,7 @@ TEST(PreviewLights, HaveOneForTheTrianglesOfAMeshThatEmits) {
   EXPECT_EQ(colored[0].quadratic, 0);
 }
 
-TEST(PreviewLights, OfAQuadIsAsStrongAsThatOfATriangle) {
+TEST(PreviewLights, OfQuadsAreAsStrongAsThoseOfTriangles) {
   const project::Stage stage(
       project::FromText("point_light 0 0 0  0 0 0  1 0 0\nmaterial  0 0 0  0 0 0  0 0 0  0 0 0  2 1 0.5  1 1 0\n"
                         "quad 0  -1 -1 0  1 -1 0  1 1 0  -1 1 0\n"));
@@ -66,7 +66,7 @@ TEST(PreviewLights, OfAQuadIsAsStrongAsThatOfATriangle) {
 }
 
 // A lamp in a ceiling casts the shadows of what is below it; what bends around would be in its own.
-TEST(PreviewLights, OfWhatEmitsInOnePlaneCastShadowsFromTheSideOfTheScene) {
+TEST(PreviewLights, OfFlatEmittersCastShadowsOnTheScenesSide) {
   const std::string emits =
       "point_light 0 0 0  0 0 0  1 0 0\nmaterial  0 0 0  0 0 0  0 0 0  0 0 0  2 1 0.5  1 1 0\n";
   const project::Stage ceiling(

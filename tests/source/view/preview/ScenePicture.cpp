@@ -112,7 +112,7 @@ TEST(ScenePicture, HasTextureCoordinatesWhereThereAreTextures) {
   EXPECT_GT(places.size(), 20u);
 }
 
-TEST(ScenePicture, SpreadsReflectionsByTheirGlossOrByTheExponentWhereAllAreGlossy) {
+TEST(ScenePicture, SpreadsReflectionsByGlossOrByTheExponent) {
   const std::string material = "material  0 0 0  0 0 0  1 1 1  0 0 0  0 0 0  50 1 0\n";
   const project::Stage sharp(project::FromText(material + "sphere 0  0 0 0  1\n"));
   const project::Stage blurred(project::FromText(material + "gloss 0  8 1\nsphere 0  0 0 0  1\n"));
@@ -175,7 +175,7 @@ TEST(ScenePicture, OfMotionHasFewTrianglesAndNothingMissing) {
   ExpectWithin(few.surfaces, 1.001);
 }
 
-TEST(ScenePicture, OfAHugeMeshIsAnEvenPartBesideWhatIsSmall) {
+TEST(ScenePicture, ThinsHugeMeshesEvenlyAndKeepsSmallThings) {
   ray::Scene scene;
   const auto data = accelerators::BumpyBall(100, 100);
   scene.root.children.push_back(accelerators::Leaf(std::make_shared<R3::Mesh>(data)));

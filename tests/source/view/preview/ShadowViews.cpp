@@ -26,7 +26,7 @@ ray::PreviewLight At(float x, float y, float z) {
   return light;
 }
 
-TEST(ShadowViews, SeeEveryPlaceOfTheSceneThatIsNotInsideTheLight) {
+TEST(ShadowViews, SeeTheWholeSceneExceptInsideTheLight) {
   Draw draw(17);
   ray::PreviewLight sun = At(0.6F, 0, 0.8F), lamp = At(0.2F, 0.3F, -0.1F);
   sun.is_infinite = true;
@@ -46,7 +46,7 @@ TEST(ShadowViews, SeeEveryPlaceOfTheSceneThatIsNotInsideTheLight) {
   }
 }
 
-TEST(ShadowViews, OfAFlatLampSeeWhatIsCloseToItFromAllItsPlaces) {
+TEST(ShadowViews, OfFlatLampsSeeWhatIsCloseFromAllPlaces) {
   ray::PreviewLight lamp = At(0, 0.9F, 0);
   lamp.radius = 0.3;
   lamp.is_flat = true;

@@ -89,7 +89,7 @@ TEST(Comp30019, AnEmissiveMaterialIsNotLit) {
   for (const R2::Color& other : {m.ka, m.kd, m.ks, m.kr, m.kt}) EXPECT_EQ(other, black);
 }
 
-TEST(Comp30019, GlossyIsDiffuseUnderACoatWhoseIndexIsThatOfVarnishWhereTheFileSays1) {
+TEST(Comp30019, GlossyIsCoatedDiffuseAndIndexOneMeansVarnish) {
   EXPECT_EQ(MaterialOf("Glossy (1, .5, .25) 1").coat, 1.5);
   const Material m = MaterialOf("Glossy (1, .5, .25) 1.3");
   EXPECT_EQ(m.coat, 1.3);
@@ -127,7 +127,7 @@ std::optional<R3::Intersection> SeenAlong(const R3::Shape& shape, const R3::Poin
   return shape.At(ray, *hit, 0);
 }
 
-TEST(Comp30019, ATriangleIsSeenFromItsFrontWhereItsCornersAreClockwise) {
+TEST(Comp30019, TrianglesFaceTheClockwiseSide) {
   const Scene scene = SceneOfComp30019(red_material + "Triangle \"T\" (-1, -1, 2) (0, 1, 2) (1, -1, 2) \"Red\"\n");
   const auto at = SeenAlong(*scene.root.children.at(0).shape, {0, 0, 0}, {0, 0, 1});
   ASSERT_TRUE(at);
@@ -144,7 +144,7 @@ TEST(Comp30019, APlaneHasItsNormalMadeUnit) {
 
 const std::string triangle_file = "v 0 0 0.5\nv 1 0 0.5\nv 0 1 0.5\nvn 0 0 1\nf 1//1 2//1 3//1\n";
 
-TEST(Comp30019, AModelOfARightHandedFileKeepsItsZInOurWorldAndIsScaledThenMoved) {
+TEST(Comp30019, RightHandedModelsKeepZAndAreScaledThenMoved) {
   const Folder folder;
   folder.Write("tri.obj", triangle_file);
   const Scene scene =
@@ -166,7 +166,7 @@ TEST(Comp30019, VertexNormalsAreInterpolated) {
   EXPECT_NEAR(at->shading_normal.y, 1 / std::sqrt(3), 1e-12);
 }
 
-TEST(Comp30019, AModelIsFoundFromTheSceneAndFromItsFoldersParent) {
+TEST(Comp30019, ModelsAreFoundFromTheSceneOrItsParentFolder) {
   const Folder folder;
   folder.Write("tests/models/tri.obj", triangle_file);
   for (const char* name : {"models/tri.obj", "tests/models/tri.obj"}) {
@@ -193,7 +193,7 @@ TEST(Comp30019, WhiteSpaceAroundMarksDoesNotCount) {
     EXPECT_EQ(SceneOfComp30019(red_material + line).root.children.size(), 1u) << line;
 }
 
-TEST(Comp30019, EveryEndOfLineWillDoAndAByteOrderMark) {
+TEST(Comp30019, AcceptsAnyLineEndAndAByteOrderMark) {
   for (const char* end : {"\n", "\r\n", "\r"}) {
     const std::string text = "\xEF\xBB\xBFMaterial \"Red\" Diffuse (1, .5, .25) 1" + std::string(end) + end +
                              "Sphere \"S\" (0, 0, 2) .5 \"Red\"" + end;

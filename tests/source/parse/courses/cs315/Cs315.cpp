@@ -80,7 +80,7 @@ TEST(Cs315, WhatTheCourseDecidesAreSettings) {
   EXPECT_EQ(told.shadow_bias, 0.005);
 }
 
-TEST(Cs315, ASurfaceMovesWithItsVelocityWhileTheShutterIsOpen) {
+TEST(Cs315, SurfacesMoveWhileTheShutterIsOpen) {
   const Scene scene = WithSurface(
                           "{'shape': 'Sphere', 'center': [0, 0, 0], 'radius': 1, 'material': 0, "
                           "'velocity': [3, 0, 0]}")
@@ -110,7 +110,7 @@ TEST(Cs315, LightsOfAllKindsAddUp) {
   EXPECT_TRUE(Cs315("").scene.lights.empty()) << "no default lights";
 }
 
-TEST(Cs315, AMirrorHasItsOwnWeightAndAShininessOf0NoHighlight) {
+TEST(Cs315, KrWeighsMirrorsAndZeroShininessDropsHighlights) {
   const Scene scene = Cs315(
                           "'materials': [{'ka': [1, 0, 0], 'kd': [0, 1, 0], 'ks': [0.5, 0.5, 0.5], 'shininess': 0, "
                           "'kr': [0, 0, 0.75]}, "
@@ -165,7 +165,7 @@ TEST(Cs315, ShapesOfOurOwnAreInLowerCase) {
   EXPECT_NEAR(*Depth(blob, {{0, 0, 9}, {0, 0, -1}}), 9 - 3 * std::sqrt(0.5), 1e-9);
 }
 
-TEST(Cs315, KeysThatNobodyKnowsAreIgnoredWithAWarningAndNamesWithout) {
+TEST(Cs315, UnknownKeysWarnWhileNamesAreIgnoredSilently) {
   const ParsedScene parsed =
       Cs315("'materials': [{'name': 'a', 'kq': 1}, {'kq': 1}], 'include': 'x.json', 'surfaces': []");
   ASSERT_EQ(parsed.warnings.size(), 1u);

@@ -48,7 +48,7 @@ std::optional<Met> Trace(const Scene& scene, const R3::Ray& ray) {
   return Met{hit->t, world.At(ray, *hit)};
 }
 
-TEST(Groningen, TheEyeFormSeesThePlaneZ0OnePixelAUnit) {
+TEST(Groningen, TheEyeFormMapsUnitsAtZ0ToPixels) {
   const Scene scene = Groningen("{'Eye': [150, 260, 700], 'Objects': []}").scene;
   EXPECT_EQ(SettingOf(scene, "width"), "400");
   EXPECT_EQ(SettingOf(scene, "height"), "400");
@@ -60,7 +60,7 @@ TEST(Groningen, TheEyeFormSeesThePlaneZ0OnePixelAUnit) {
   }
 }
 
-TEST(Groningen, ThePicturesMiddleOfACameraIsItsCenterAndUpIsAPixelWide) {
+TEST(Groningen, CamerasAimAtTheirCenterAndUpSizesPixels) {
   const Scene scene =
       Groningen(
           "{'Camera': {'eye': [1, 2, 30], 'center': [4, 5, 6], 'up': [0, 0.75, 0], 'viewSize': [800, 400]}, "
@@ -78,7 +78,7 @@ TEST(Groningen, ThePicturesMiddleOfACameraIsItsCenterAndUpIsAPixelWide) {
   EXPECT_NEAR(Length(in_plane(400, 201) - in_plane(400, 200)), 0.75, 1e-12);
 }
 
-TEST(Groningen, ADirectionOfACameraStandsForACenterAsFarAsTheCoursesOwn) {
+TEST(Groningen, ACameraDirectionMeansACenter1000Away) {
   const Scene given =
       Groningen("{'Camera': {'position': [1, 2, 3], 'direction': [0, 0, -2], 'up': [0, 1, 0]}, 'Objects': []}").scene;
   const Scene wanted =
@@ -173,7 +173,7 @@ TEST(Groningen, ALensIsFocusedOnTheCentersPlane) {
   EXPECT_EQ(SettingOf(Groningen(camera + ", 'apertureJitter': false}}").scene, "lens"), "fixed_spiral");
 }
 
-TEST(Groningen, AnObjectIsAtItsPlaceInTheMiddleOfTheExposure) {
+TEST(Groningen, MovingObjectsAreInPlaceAtMidExposure) {
   std::string moving = red_ball;
   moving.insert(moving.size() - 1, ", 'velocity': [10, 0, 0]");
   const std::string still = "{'Camera': {'eye': [0, 0, 9], 'center': [0, 0, 0]}, 'Objects': [" + moving + "]}";
@@ -197,7 +197,7 @@ TEST(Groningen, AnObjectIsAtItsPlaceInTheMiddleOfTheExposure) {
   EXPECT_TRUE(is_hit(2.5, 1));
 }
 
-TEST(Groningen, AnExposureOfOneSampleIsTheSharpPictureOfItsMiddle) {
+TEST(Groningen, OneSampleExposuresAreSharpAtTheirMiddle) {
   std::string moving = red_ball;
   moving.insert(moving.size() - 1, ", 'velocity': [10, 0, 0]");
   for (const char* samples : {"", ", 'exposureSamples': 1"}) {
@@ -216,7 +216,7 @@ TEST(Groningen, AnExposureOfOneSampleIsTheSharpPictureOfItsMiddle) {
   }
 }
 
-TEST(Groningen, ACameraIsAtItsPlaceInTheMiddleOfTheExposure) {
+TEST(Groningen, MovingCamerasAreInPlaceAtMidExposure) {
   const auto moving = [](const std::string& time) {
     return Groningen("{'Camera': {'eye': [0, 0, 9], 'center': [0, 0, 0], 'velocity': [8, 0, -2], 'exposureTime': " +
                      time + ", 'exposureSamples': 4}, 'SuperSampling': 3, 'Objects': []}")
@@ -305,7 +305,7 @@ TEST(Groningen, ALightMayBeOfAnyKind) {
   EXPECT_EQ(scene.ambient, (R2::Color{3, 2, 2}));
 }
 
-TEST(Groningen, WhatIsUnknownIsToldOnceAndTheRestIsRead) {
+TEST(Groningen, UnknownPartsAreReportedOnceAndTheRestRead) {
   const ParsedScene parsed =
       WithKeys("'Sahdows': true", "{'type': 'waterfall', 'what': 1}, {'type': 'spher'}, " + red_ball);
   EXPECT_EQ(parsed.scene.root.children.size(), 1u);
@@ -325,7 +325,7 @@ R2::Point TexturePlace(const std::string& keys, const R3::Vector& n) {
 }
 
 // u = frac((atan2(y, x) - angle) / 2 pi) and v = acos(z) / pi from the top, of the normal in the globe's coordinates.
-TEST(Groningen, ATextureLiesOnASphereAsTheCourseHasIt) {
+TEST(Groningen, TexturesLieOnSpheresAsInTheCourse) {
   const std::string plain = "'radius': 2";
   for (const R3::Vector& given : {R3::Vector{1, 2, 3}, {-1, 0.5, 0.2}, {0.3, -1, -2}}) {
     const R3::Vector n = R3::Unit(given);
@@ -339,7 +339,7 @@ TEST(Groningen, ATextureLiesOnASphereAsTheCourseHasIt) {
   }
 }
 
-TEST(Groningen, AnAxisTakesThePoleWithItByTheSmallestRotation) {
+TEST(Groningen, AnAxisTurnsThePoleByTheSmallestRotation) {
   const R3::Vector axis = R3::Unit({0, 1, 0.7});
   for (const char* keys :
        {"'radius': [2, [0, 1, 0.7]]", "'radius': 2, 'axis': [0, 1, 0.7]", "'radius': 2, 'rotation': [0, 1, 0.7]"}) {
@@ -496,7 +496,7 @@ TEST(Groningen, SolidsStandWhereTheirKeysSay) {
   EXPECT_NEAR(depth("'type': 'plane', 'normal': [0, 2, 0], 'distance': 3", down), 7, 1e-12);
 }
 
-TEST(Groningen, ADistanceThatThePictureDoesNotUseIsNoError) {
+TEST(Groningen, BadDistancesAreNoErrorWhenUnused) {
   const ParsedScene phong = WithKeys("'DistMin': -5, 'DistMax': 900");
   ASSERT_EQ(phong.warnings.size(), 1u);
   EXPECT_TRUE(Contains(phong.warnings[0], "a negative distance is left out")) << phong.warnings[0];
@@ -504,7 +504,7 @@ TEST(Groningen, ADistanceThatThePictureDoesNotUseIsNoError) {
   EXPECT_THROW(WithKeys("'RenderMode': 'zbuffer', 'DistMin': -5, 'DistMax': 900"), SceneErrors);
 }
 
-TEST(Groningen, AMeshIsFoundWithoutItsExtensionScaledTurnedAndMoved) {
+TEST(Groningen, MeshesAreFoundWithoutTheirExtensionAndPlaced) {
   const Folder folder;
   folder.Write("flag.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   ParseOptions options;
@@ -522,7 +522,7 @@ TEST(Groningen, AMeshIsFoundWithoutItsExtensionScaledTurnedAndMoved) {
   }
 }
 
-TEST(Groningen, AMeshWithASizeIsCenteredAndItsLongestSideTwiceAsLong) {
+TEST(Groningen, SizedMeshesAreCenteredAndSpanTwiceTheirSize) {
   const Folder folder;
   folder.Write("flag.obj", "v 10 0 0\nv 14 0 0\nv 10 2 0\nv 14 2 0\nf 1 2 4 3\n");
   ParseOptions options;
@@ -539,7 +539,7 @@ TEST(Groningen, AMeshWithASizeIsCenteredAndItsLongestSideTwiceAsLong) {
   }
 }
 
-TEST(Groningen, AMeshMayHaveTheMaterialsOfItsFileAndNormalsOfItsTriangles) {
+TEST(Groningen, MeshesMayHaveFileMaterialsAndComputedNormals) {
   const Folder folder;
   folder.Write("roof.mtl", "newmtl red\nKd 1 0 0\n");
   folder.Write("roof.obj", "mtllib roof.mtl\nv 0 0 0\nv 1 0 0.1\nv 1 1 0.1\nv 2 0 0\nf 1 2 3\nusemtl red\nf 2 4 3\n");
@@ -583,7 +583,7 @@ TEST(Groningen, AMeshMayHaveANameBesideItsFile) {
 }
 
 #ifdef RAYPRO_YAML
-TEST(Groningen, AMeshMayBeNamedByWayOfTheFolderAboveTheScene) {
+TEST(Groningen, MeshesMayBeNamedThroughTheParentFolder) {
   const Folder folder;
   const std::filesystem::path mesh = folder.Write("flag.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const std::string name = "../" + mesh.parent_path().filename().string() + "/flag.obj";
