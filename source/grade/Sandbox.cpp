@@ -120,8 +120,37 @@ void KillOrphans(const std::set<pid_t>& earlier) {
   }
 }
 
-[[noreturn]] void BecomeProgram(const std::vector<std::string>& words, const fs::path& folder, const Limits& limits,
-                                int output, bool is_wrapped, rlim_t processes) {
+/// A program with its arguments and its environment, as the system takes them.
+struct Command {
+  Command(const std::vector<std::string>& its_words, const fs::path& folder)
+      : words(its_words),
+        variables{"PATH=/usr/local/bin:/usr/bin:/bin", "HOME=" + folder.string(), "TMPDIR=" + folder.string(),
+                  "LANG=C.UTF-8"},
+        arguments(Pointers(words)),
+        environment(Pointers(variables)) {}
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
+  static std::vector<char*> Pointers(std::vector<std::string>& texts) {
+    std::vector<char*> pointers;
+    for (std::string& text : texts) pointers.push_back(text.data());
+    pointers.push_back(nullptr);
+    return pointers;
+  }
+
+  std::vector<std::string> words, variables;
+  std::vector<char*> arguments, environment;
+};
+
+/// Writes to the output without allocating.
+void Say(const char* text) {
+  if (write(STDOUT_FILENO, text, std::strlen(text)) < 0) _exit(126);
+}
+
+/// In the child. It allocates nothing: the grader may hold more memory already than the limit allows, so that any
+/// allocation after that would fail, and the program would be said to have crashed.
+[[noreturn]] void BecomeProgram(const Command& command, const fs::path& folder, const Limits& limits, int output,
+                                bool is_wrapped, rlim_t processes) {
   setsid();
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // it does not outlive a grader that is killed
   const int nothing = open("/dev/null", O_RDONLY);
@@ -134,15 +163,9 @@ void KillOrphans(const std::set<pid_t>& earlier) {
   if (!is_wrapped && IsSuperuser() &&
       (setgroups(0, nullptr) != 0 || setgid(fresh_user) != 0 || setuid(fresh_user) != 0))
     _exit(126);
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  const std::string home = "HOME=" + folder.string(), temporary = "TMPDIR=" + folder.string();
-  const char* environment[] = {"PATH=/usr/local/bin:/usr/bin:/bin", home.c_str(), temporary.c_str(), "LANG=C.UTF-8",
-                               nullptr};
-  execvpe(arguments[0], arguments.data(), const_cast<char**>(environment));
-  const std::string message = "cannot run " + words[0] + ": " + std::strerror(errno) + "\n";
-  if (write(1, message.data(), message.size()) < 0) _exit(126);
+  execvpe(command.arguments[0], command.arguments.data(), command.environment.data());
+  const char* const why = std::strerror(errno);  // allocates for unknown errors only
+  for (const char* text : {"cannot run ", static_cast<const char*>(command.arguments[0]), ": ", why, "\n"}) Say(text);
   _exit(127);
 }
 
@@ -205,13 +228,14 @@ class Watch {
 RunResult RunWords(const std::vector<std::string>& words, const fs::path& folder, const Limits& limits, bool is_wrapped,
                    const std::atomic<bool>* stop) {
   Pipe pipe;
+  const Command command(words, folder);
   const rlim_t processes = static_cast<rlim_t>(limits.processes) + (IsSuperuser() ? 0 : ThreadsOfUser());
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   const auto children = ChildrenOf(getpid());
   const std::set<pid_t> earlier(children.begin(), children.end());
   const pid_t process = fork();
   if (process < 0) return {};
-  if (process == 0) BecomeProgram(words, folder, limits, pipe.ends[1], is_wrapped, processes);
+  if (process == 0) BecomeProgram(command, folder, limits, pipe.ends[1], is_wrapped, processes);
   pipe.CloseWriting();
   RunResult result = Watch(process, pipe.ends[0], limits, stop).Wait();
   KillOrphans(earlier);

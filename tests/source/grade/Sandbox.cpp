@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 
 #include "tests/Project.h"
 #include "tests/source/app/Program.h"
@@ -79,6 +80,18 @@ TEST(Sandbox, MemoryHasALimit) {
     const Workplace place;
     EXPECT_FALSE(RunHostile(sandbox, place, "memory").IsGood());
   }
+}
+
+// It was aborted before it was the program, where its words did not fit the memory that was free in the grader.
+TEST(Sandbox, AProgramMayHaveLessMemoryThanTheGraderTakesItself) {
+  constexpr std::size_t much = std::size_t{1} << 28;
+  const std::unique_ptr<char[]> of_the_grader(new char[much]);
+  const Workplace place;
+  std::vector<std::string> command(50000, "word");
+  command[0] = "/bin/true";
+  const RunResult result =
+      Sandbox(Sandbox::Mode::limits).Run(command, place.Path(), {}, {.seconds = 10, .memory = 64});
+  EXPECT_TRUE(result.IsGood()) << result.Problem() << "\n" << result.output;
 }
 
 TEST(Sandbox, NothingThatAProgramStartedOutlivesIt) {
