@@ -560,10 +560,10 @@ TEST_F(PanelTest, TellWhatThePreviewLacksForSpeed) {
 TEST_F(PanelTest, TheHelpIsBelowTheStatusBar) {
   Do("key Tab\nkey H");
   const double bar = viewer_->state().panels->HeightOfBar();
-  const int view = viewer_->Show().view.width;
+  const FrameState shown = viewer_->Show();
   int below = 0;
-  for (const PanelDrawing::Part& part : viewer_->Show().panels->parts) {
-    if (part.left <= 0 || part.right >= view || part.bottom <= bar) continue;
+  for (const PanelDrawing::Part& part : shown.panels->parts) {
+    if (part.left <= 0 || part.right >= shown.view.width || part.bottom <= bar) continue;
     ++below;
     EXPECT_GE(part.top, bar);
   }
