@@ -245,12 +245,12 @@ check: $(BUILD)/obj/bench/kernels.o
 asan:
 	$(MAKE) BUILD=$(BUILD)/asan OPTIMIZE=-O1 test \
 	  SANITIZE="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer$(if $(CLANG),, -Wno-maybe-uninitialized)"
-# script/tsan_tbb.sh makes the library without which ThreadSanitizer reports races within oneTBB; script/tsan.supp names
-# the libraries whose reports are not looked at.
+# script/tsan_tbb.sh makes the library without which ThreadSanitizer reports races within oneTBB. Programs find it beside
+# them, also where they are started by ssh. script/tsan.supp names the libraries whose reports are not looked at.
 tsan:
-	mkdir -p $(BUILD) && LD_LIBRARY_PATH="$$(cd $(BUILD) && pwd)/tsan/tbb$${LD_LIBRARY_PATH:+:$$LD_LIBRARY_PATH}" \
 	TSAN_OPTIONS="suppressions='$$(pwd)/script/tsan.supp' $$TSAN_OPTIONS" \
-	$(MAKE) BUILD=$(BUILD)/tsan OPTIMIZE=-O1 SANITIZE="-fsanitize=thread$(if $(CLANG),, -Wno-tsan)" test
+	$(MAKE) BUILD=$(BUILD)/tsan OPTIMIZE=-O1 SANITIZE="-fsanitize=thread$(if $(CLANG),, -Wno-tsan)" \
+	  LDFLAGS="-Wl,-rpath,'\$$\$$ORIGIN/tbb' $(LDFLAGS)" test
 
 # With clang, whose runtime finds the inputs. script/fuzz.sh runs the targets and makes their seeds.
 fuzz:
