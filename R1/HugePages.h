@@ -27,8 +27,8 @@ inline void PreferHugePages(const void* data, std::size_t bytes) {
 #endif
 }
 
-/// Makes room for that many elements of an array that is still to be filled. Memory that is on huge pages from its first
-/// use on need not be moved there.
+/// Makes room for that many elements of an array that is still to be filled. Memory that is on huge pages from the start
+/// need not be moved there.
 template <typename Array>
 void ReserveOnHugePages(Array& array, std::size_t size) {
   array.reserve(size);
