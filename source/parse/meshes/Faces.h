@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -24,8 +25,11 @@ class Faces {
  public:
   explicit Faces(R3::MeshData& mesh) : mesh_(mesh) {}
 
-  /// Makes room for triangles, of a file that says how many follow.
-  void Reserve(std::size_t triangles) { R1::ReserveOnHugePages(mesh_.triangles, triangles); }
+  /// Makes room for faces that a file declares, as far as `bytes_left` of it may hold triangles.
+  void Reserve(std::size_t faces, std::size_t bytes_left) {
+    constexpr std::size_t least_bytes = 4;  // of a triangle: the number of its corners, and three indices
+    R1::ReserveOnHugePages(mesh_.triangles, std::min(faces, bytes_left / least_bytes));
+  }
   /// Adds a face whose corners are at `places`, indices into the mesh's positions; the triangles are made of the
   /// `names` that go with them. Gives what is wrong with the face, or null. A face of fewer than 3 corners, which
   /// real files do hold, is counted and left out.

@@ -151,7 +151,7 @@ class OffReader {
 
   void ReadFaces(Faces& faces) {
     std::vector<std::uint32_t> corners;
-    faces.Reserve(faces_);
+    faces.Reserve(faces_, words_.BytesLeft());
     std::size_t i = 0;
     for (; i < faces_ && !words_.AtEnd(); ++i) {
       const std::int64_t count = words_.Whole({"number of corners", "face", i});

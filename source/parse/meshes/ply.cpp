@@ -145,7 +145,7 @@ class PlyReader {
     has_face_colors_ = FindColors(element).has_value();
     PlyRow row;
     std::vector<std::uint32_t> corners;
-    faces_.Reserve(element.count);
+    faces_.Reserve(element.count, rows_.Values().BytesLeft());
     for (std::size_t i = 0; i < element.count; ++i) {
       const PlyPlace place{element.name, i};
       rows_.Read(element, i, columns, row);
