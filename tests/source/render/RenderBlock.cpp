@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "tests/Sanitizers.h"
+
 namespace ray {
 namespace {
 
@@ -70,7 +72,8 @@ TEST(BatchTracer, GivesOnlyWhatWasTracedWheneverItIsToStop) {
     ++given;
     wrong += radiance != R2::Color{1, 2, 3};
   };
-  constexpr int most = 120;  // instructions; the first look is among them, and so is the beginning of the tracing
+  // Instructions; the first look is among them, and so is the beginning of the tracing. ThreadSanitizer adds many.
+  constexpr int most = project::has_thread_sanitizer ? 1200 : 120;
   for (int instructions = 1; instructions <= most; ++instructions) {
     BatchTracer tracer(source, state, splat);
     tracer.Add(source.FirstSample(3, 4));
