@@ -3,9 +3,9 @@
 #include <cassert>
 #include <unordered_map>
 
+#include "R1/HugePages.h"
 #include "R3/OneSided.h"
 #include "source/accelerate/BoundsPadding.h"
-#include "R1/HugePages.h"
 #include "source/accelerate/Repetitions.h"
 #include "source/scene/Singular.h"
 

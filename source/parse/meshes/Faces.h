@@ -20,7 +20,7 @@ struct AddedVertex {
   double share;
 };
 
-/// Turns the faces of a file into the triangles of a mesh, and notes the line of each.
+/// Turns the faces of a file into the triangles of a mesh, and notes the line of each where the file is text.
 class Faces {
  public:
   explicit Faces(R3::MeshData& mesh) : mesh_(mesh) {}
