@@ -77,7 +77,8 @@ struct PathFront {
       by_lobe[static_cast<std::size_t>(chosen)].push_back(point);
     }
   };
-  /// Scatters at surfaces with a diffuse lobe alone. Russian roulette ends no path more often than `least_survival` allows.
+  /// Scatters at surfaces with a diffuse lobe alone. Paths survive Russian roulette with a probability of at least
+  /// `least_survival`.
   ///   random   two choices for a direction, and the last one for Russian roulette
   Scattered ScatterDiffusely(double least_survival, const PointsOfEach<4>& random) const;
 };
