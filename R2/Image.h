@@ -15,12 +15,13 @@ namespace R2 {
 /// The most pixels an image may have, 2^28: a header that promises more is refused before memory is asked for.
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 
-/// What goes into an image of floats: never infinite, never NaN. Values beyond the largest float become it; a channel
-/// that is no number (which would be a fault of ours) becomes 0.
+/// Returns the channel as a rendered image stores it: never infinite, never NaN. Values beyond the largest float become
+/// it; a channel that is no number (which would be a fault of ours) becomes 0.
 inline double Storable(double channel) {
   constexpr double largest = std::numeric_limits<float>::max();
   return std::isnan(channel) ? 0 : std::clamp(channel, -largest, largest);
 }
+inline Color Storable(const Color& color) { return {Storable(color.r), Storable(color.g), Storable(color.b)}; }
 
 /// A rectangle of colors. Row 0 is the bottom row, as the course stores pictures. Channels are kept as
 /// floats (24 bits, more than any file format here asks for); a value set and read back is rounded to float.
@@ -48,6 +49,10 @@ class Image {
     p[1] = static_cast<float>(c.g);
     p[2] = static_cast<float>(c.b);
   }
+
+  /// Sets a pixel of an image that is rendered. Every such pixel is stored by this function, so that none is infinite or
+  /// NaN; Set keeps what a file contains.
+  void Store(int x, int y, const Color& c) { Set(x, y, Storable(c)); }
 
   /// All channels, three floats (r, g, b) per pixel, rows from the bottom: for writers and for comparing pictures byte
   /// by byte.

@@ -15,8 +15,7 @@
 namespace ray {
 
 /// Decides which primitives a ray is tested against; never what a test answers. Every accelerator gives the same
-/// hits bit for bit: the nearest t, and among equal t the lowest primitive id; and what Contact.h says where surfaces
-/// touch.
+/// hits bit for bit: the nearest t, and what Contact.h says where surfaces touch.
 class Accelerator {
  public:
   /// `world` outlives it.
@@ -70,8 +69,8 @@ class Accelerator {
         are_occluded[i] = true, ++workspace.counts.hits;
   }
 
-  /// The hits that are coincident with one that Intersect found, it included, the lowest primitive first; see
-  /// Contact.h.
+  /// Returns the hits that are coincident with one that Intersect found, it included, in the order in which they hide
+  /// each other; see CoincidentOf.
   std::vector<WorldHit> Coincident(const R3::Ray& ray, const WorldHit& hit, Workspace& workspace) const;
 
   std::string kind;                  // a line of accelerators.def; where `auto` was asked for, what it chose

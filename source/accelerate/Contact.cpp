@@ -100,7 +100,7 @@ bool IsInTheWay(const World& world, const R3::Ray& ray, const WorldHit& hit) {
   const double target = ray.reaching < 0 ? ray.t_max : ray.t_max / beyond_target;
   const Crossing crossing(world, ray, hit);
   if (!(std::abs((target - hit.t) * crossing.along) <= 2 * crossing.off)) return hit.t < target;
-  return world.PrimitiveId(hit) < ray.reaching;
+  return world.Emits(hit) && world.PrimitiveId(hit) < ray.reaching;  // what the ray reaches emits
 }
 
 std::vector<WorldHit> CoincidentOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits) {
@@ -113,6 +113,7 @@ std::vector<WorldHit> CoincidentOf(const World& world, const R3::Ray& ray, std::
   std::ranges::sort(hits, {}, primitive);
   const auto is_same = [&](const WorldHit& a, const WorldHit& b) { return primitive(a) == primitive(b); };
   hits.erase(std::unique(hits.begin(), hits.end(), is_same), hits.end());
+  std::ranges::stable_partition(hits, [&](const WorldHit& hit) { return world.Emits(hit); });
   return hits;
 }
 

@@ -20,9 +20,11 @@
 ///   ends, within the errors, is not in between. It hides the place only if that is on a surface too, by the next rule.
 ///
 ///   Coincident surfaces.  Hits are coincident with the nearest if they are at the same place within the errors and
-///   their tangent planes agree: over the smaller of the two, they part by no more than that. Of coincident surfaces
-///   the one with the lowest primitive id is seen, everywhere, whatever rounding makes of the distances; it is compared
-///   with the nearest alone, so that the order in which hits are found does not matter. A path leaves a clear solid
+///   their tangent planes agree: over the smaller of the two, they part by no more than that. Of coincident surfaces,
+///   one that emits is in front of those that do not, then the one with the lowest primitive id, everywhere, whatever
+///   rounding makes of the distances. So a lamp in the plane of a ceiling shines, whichever comes first in the file.
+///   All are compared with the nearest alone, so that the order in which hits are found does not matter: a surface that
+///   emits and is coincident with the nearest is seen, even if another lies between the two. A path leaves a clear solid
 ///   before it meets what the solid stands on, as if there were a gap; but between two clear solids there is none, and
 ///   it enters the one before it leaves the other.
 namespace ray {
@@ -42,7 +44,8 @@ inline constexpr double beyond_target = 1 + 0x1p-20;
 ///   hits   the nearest one, and whatever may be coincident with it, in any order
 WorldHit SeenOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits);
 
-/// The nearest hit of a ray and those that are coincident with it, each once, the lowest primitive first.
+/// Returns the nearest hit of a ray and those that are coincident with it, each once, in the order in which they hide
+/// each other: those that emit first, then by primitive.
 ///   hits   as for SeenOf
 std::vector<WorldHit> CoincidentOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits);
 

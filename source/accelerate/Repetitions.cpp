@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <compare>
 #include <cstdint>
 #include <typeinfo>
-#include <utility>
 #include <vector>
 
 #include "source/text/Hash.h"
@@ -48,6 +48,15 @@ std::uint64_t HashOf(const Instance& instance, std::span<const R3::Transform> fr
   return hash.Value();
 }
 
+/// An instance and its hash, in the order in which equal ones hide each other; see Contact.h.
+struct Hashed {
+  std::uint64_t hash;
+  bool is_dark;
+  std::uint32_t instance;
+
+  auto operator<=>(const Hashed&) const = default;
+};
+
 }  // namespace
 
 void MarkRepetitions(std::span<Instance> instances, std::span<const R3::Transform> frames,
@@ -56,20 +65,20 @@ void MarkRepetitions(std::span<Instance> instances, std::span<const R3::Transfor
     return a == b || (AreSame(frames[a].Forward(), frames[b].Forward()) &&
                       AreSame(frames[a].Inverse(), frames[b].Inverse()) && motions[a] == motions[b]);
   };
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> hashes;  // and whose
-  hashes.reserve(instances.size());
+  std::vector<Hashed> hashed;
+  hashed.reserve(instances.size());
   for (std::uint32_t i = 0; i < instances.size(); ++i)
     if (!instances[i].mesh || instances[i].shared != Instance::not_shared)  // else it is nobody else's
-      hashes.emplace_back(HashOf(instances[i], frames), i);
-  std::sort(hashes.begin(), hashes.end());
-  for (std::size_t first = 0, i = 1; i < hashes.size(); ++i) {
-    if (hashes[i].first != hashes[first].first) {
+      hashed.push_back({HashOf(instances[i], frames), IsBlack(instances[i].material->emission), i});
+  std::sort(hashed.begin(), hashed.end());
+  for (std::size_t first = 0, i = 1; i < hashed.size(); ++i) {
+    if (hashed[i].hash != hashed[first].hash) {
       first = i;
       continue;
     }
-    const Instance& earlier = instances[hashes[first].second];
-    Instance& instance = instances[hashes[i].second];
-    instance.is_repeated = are_same_frames(earlier.frame, instance.frame) && AreSame(*earlier.shape, *instance.shape);
+    const Instance& seen = instances[hashed[first].instance];
+    Instance& instance = instances[hashed[i].instance];
+    instance.is_repeated = are_same_frames(seen.frame, instance.frame) && AreSame(*seen.shape, *instance.shape);
   }
 }
 

@@ -22,7 +22,7 @@ struct Instance {
   const R3::Mesh* mesh = nullptr;    // the same, if it is one, with both sides
   R3::Form form = R3::Form::other;   // of the shape's elements
   bool is_bounded = true;            // the shape lies in a box
-  bool is_repeated = false;          // an earlier instance is the same to the bit: this one is never the hit
+  bool is_repeated = false;          // another is the same to the bit and hides this one, which is never the hit
   R3::Box bounds{};                  // in the world, wherever it goes while the shutter is open; empty if not bounded
   double error = 0;                  // more than eight times as much as its surface may be off by in the world
   bool is_medium = false;            // its inside matters to rays: a closed solid that is clear or absorbs
@@ -115,6 +115,7 @@ class World {
     const Instance& instance = instances_[hit.instance];
     return instance.has_parts ? MaterialOfPart(instance, hit) : *instance.material;
   }
+  bool Emits(const WorldHit& hit) const { return !IsBlack(MaterialAt(hit).emission); }
   /// All that the instance shows: its own, and those of parts.
   std::vector<const Material*> MaterialsOf(const Instance& instance) const;
 

@@ -109,7 +109,7 @@ int MakePicture(const Options& asked, const Words& words) {
   if (options.checkpoint.restart) checkpoint->Remove();
   CatchInterrupts();
   const RenderResult result = RenderAndTell(world, *accelerator, options, account, checkpoint.get());
-  account.Rendered(result);
+  account.Rendered(world, *accelerator, result);
   Compare(result, references, options, account);
 
   const auto layers = result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{};

@@ -85,9 +85,9 @@ class Filler {
     for (std::size_t i = 0; i < known; ++i) sum += colors[i];
     if (known == colors.size()) {
       const double share = ShareOfFirstPair(column, row, neighbors);
-      image_.Set(column, row, (share * (colors[0] + colors[1]) + (1 - share) * (colors[2] + colors[3])) / 2);
+      image_.Store(column, row, (share * (colors[0] + colors[1]) + (1 - share) * (colors[2] + colors[3])) / 2);
     } else {
-      image_.Set(column, row, sum / static_cast<double>(known));
+      image_.Store(column, row, sum / static_cast<double>(known));
     }
     IsKnown(column, row) = 1;
   }
@@ -119,7 +119,7 @@ class Filler {
 
   void Copy(int from_x, int from_y, int x, int y) {
     if (IsKnown(x, y) || !IsKnown(from_x, from_y)) return;
-    image_.Set(x, y, image_.At(from_x, from_y));
+    image_.Store(x, y, image_.At(from_x, from_y));
     IsKnown(x, y) = 1;
   }
 

@@ -25,8 +25,8 @@ R2::Color Normalized(const WeightedSum& sum, R2::Quantization quantization) {
   // Weights of a filter with negative lobes may cancel where samples are few; such a pixel has nothing to show.
   if (sum.weight == 0) return {};
   const R2::Color mean = sum.color / sum.weight;
-  const R2::Color storable{R2::Storable(mean.r), R2::Storable(mean.g), R2::Storable(mean.b)};
-  if (quantization == R2::Quantization::rounded) return storable;
+  if (quantization == R2::Quantization::rounded) return mean;
+  const R2::Color storable = R2::Storable(mean);
   return {TruncatedAlike(storable.r), TruncatedAlike(storable.g), TruncatedAlike(storable.b)};
 }
 
@@ -119,7 +119,7 @@ void Film::FillUnsampled(R2::Image& image) const {
       for (int x = pixels.x0; x < pixels.x1; ++x) {
         const auto place = static_cast<std::size_t>(BlockOrder::PlaceOf(x, y));
         const bool is_seen = place < block.first_samples.size();
-        if (is_seen) image.Set(x - region_.x0, y - region_.y0, block.first_samples[place]);
+        if (is_seen) image.Store(x - region_.x0, y - region_.y0, block.first_samples[place]);
         is_known[static_cast<std::size_t>(y - region_.y0) * static_cast<std::size_t>(region_.Width()) +
                  static_cast<std::size_t>(x - region_.x0)] = is_seen;
       }
@@ -160,7 +160,7 @@ R2::Image Film::Composed(R2::Quantization quantization, const Blend& blend) cons
         const Block& own = (*this)[row * columns_ + column];
         if (own.Samples() == 0) continue;  // black, as images begin
         sum = blend(own, x, y);
-        image.Set(x - region_.x0, y - region_.y0, Normalized(sum, quantization));
+        image.Store(x - region_.x0, y - region_.y0, Normalized(sum, quantization));
         continue;
       }
       for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r)
@@ -170,7 +170,7 @@ R2::Image Film::Composed(R2::Quantization quantization, const Blend& blend) cons
           const int part_with_sums = block.samples[0] > 0 ? 0 : 1;
           if (block.sums[part_with_sums].Reach().Contains(x, y)) sum += blend(block, x, y);
         }
-      image.Set(x - region_.x0, y - region_.y0, Normalized(sum, quantization));
+      image.Store(x - region_.x0, y - region_.y0, Normalized(sum, quantization));
     }
   });
   return image;

@@ -94,11 +94,11 @@ std::vector<Leaf> LeavesOf(Node& root) {
 // The names of all members are listed, so that one that is added must be copied as well.
 Scene Copied(const Scene& scene) {
   const auto& [root, materials, lights, camera, background, ambient, environment, has_default_camera,
-               has_default_lights, shadow_bias, settings, files] = scene;
+               has_default_lights, is_mirrored, shadow_bias, settings, files] = scene;
   std::vector<std::unique_ptr<const Light>> same_lights;
   for (const auto& light : lights) same_lights.push_back(Made(light->MadeFrom()));
-  return {Copied(root), materials,          std::move(same_lights), camera,      background, ambient,
-          environment,  has_default_camera, has_default_lights,     shadow_bias, settings,   files};
+  return {Copied(root), materials,          std::move(same_lights), camera,      background,  ambient, environment,
+          has_default_camera, has_default_lights, is_mirrored, shadow_bias, settings, files};
 }
 
 void ChangeMaterials(Scene& scene, const std::function<void(Material&)>& change) {

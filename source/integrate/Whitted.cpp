@@ -52,7 +52,7 @@ Whitted::Whitted(const World& world, const Accelerator& accelerator, const Trace
       tracer_(world, accelerator, settings.shadows),
       settings_(settings),
       has_roulette_(settings.roulette == Roulette::on),
-      scene_lights_(LightsOf(world.scene())),
+      scene_lights_(LightsOfWhitted(world, settings)),
       lights_(LightSourcesOfWhitted(world, settings)) {
   settings_.max_depth = std::min<std::int64_t>(settings_.max_depth, most_bounces);
   const auto& environment = world.scene().environment;

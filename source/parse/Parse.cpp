@@ -160,6 +160,14 @@ void SetAngle(Camera& camera, double fov) {
     camera.extent = fov;
 }
 
+/// The change in our world, made by a user who knows the world of the file.
+CameraChange Mirrored(CameraChange change) {
+  for (auto* place : {&change.eye, &change.target})
+    if (*place) (*place)->z = 0 - (*place)->z;
+  if (change.up) change.up->z = 0 - change.up->z;
+  return change;
+}
+
 /// Throws FileError for an eye at its own target.
 void Change(Camera& camera, const CameraChange& change, Report& report, const std::string& file) {
   const R3::Point eye = change.eye.value_or(camera.eye);
@@ -200,7 +208,8 @@ ParsedScene Parse(const std::string& file, const ParseOptions& options) {
     if (!options.environment.empty()) SetEnvironment(options.environment, assets, report, parsed.scene);
     if (options.one_sided)
       for (Material& m : parsed.scene.materials) m.one_sided |= IsBlack(m.kt) && IsBlack(m.absorb);
-    Change(parsed.scene.camera, options.camera, report, files.TopName());
+    Change(parsed.scene.camera, parsed.scene.is_mirrored ? Mirrored(options.camera) : options.camera, report,
+           files.TopName());
     SetWidth(parsed.scene.camera, parsed.scene.root.bounds);
     report.ThrowErrors();
     for (const std::string& remark : files.Remarks()) report.Warn(Escaped(files.TopName()), remark);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "R1/Elementary.h"
-#include "source/integrate/lights/LightSource.h"
+#include "source/render/SceneFeatures.h"
 
 namespace ray {
 namespace {
@@ -58,7 +58,7 @@ class Flare {
  public:
   Flare(const World& world, const Accelerator& accelerator, const Camera& camera, const RenderSettings& settings)
       : accelerator_(accelerator), camera_(camera), settings_(settings), height_(settings.height) {
-    for (const Light* light : LightsWithFlares(world, settings))
+    for (const Light* light : ShiningLights(world, settings))
       if (const auto glare = GlareOf(*light)) glares_.push_back(*glare);
   }
 
@@ -148,7 +148,7 @@ class Flare {
         const double share = std::sqrt(from.x * from.x + from.y * from.y) / reach;
         if (!(share < 1)) continue;
         const int column = x - region.x0, row = y - region.y0;
-        image.Set(column, row, image.At(column, row) + light(from, share));
+        image.Store(column, row, image.At(column, row) + light(from, share));
       }
   }
 
@@ -161,10 +161,6 @@ class Flare {
 };
 
 }  // namespace
-
-std::vector<const Light*> LightsWithFlares(const World& world, const RenderSettings& settings) {
-  return settings.mode == RenderMode::path ? LightsOfPath(world) : LightsOf(world.scene());
-}
 
 void AddFlare(const World& world, const Accelerator& accelerator, const Camera& camera, const RenderSettings& settings,
               R2::Image& image) {

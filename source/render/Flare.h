@@ -15,9 +15,6 @@ inline bool HasFlare(const Camera& camera, const RenderSettings& settings) {
   return settings.flare > 0 && camera.IsPinhole() && ShowsLight(settings.mode);
 }
 
-/// The lights that have flares: those of the scene that shine in the mode.
-std::vector<const Light*> LightsWithFlares(const World& world, const RenderSettings& settings);
-
 /// Adds what light does within a camera's lens to a finished image: around every lamp of the scene that the eye sees, a
 /// glow and six streaks, and along the line from it through the middle of the image the ghosts of other lenses.
 ///

@@ -40,6 +40,10 @@ void AddMaterial(SceneFeatures& features, const Material& m, const RenderSetting
 
 }  // namespace
 
+std::vector<const Light*> ShiningLights(const World& world, const RenderSettings& settings) {
+  return settings.mode == RenderMode::path ? LightsOfPath(world) : LightsOfWhitted(world, settings.trace);
+}
+
 SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   const Scene& scene = world.scene();
   SceneFeatures features;
@@ -52,7 +56,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
 
   std::size_t lights = 0;
   const bool is_path = settings.mode == RenderMode::path;
-  for (const Light* light : is_path ? LightsOfPath(world) : LightsOf(scene)) {
+  for (const Light* light : ShiningLights(world, settings)) {
     ++lights;
     features.lights = true;
     features.area_lights |= light->IsExtended();

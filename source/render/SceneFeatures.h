@@ -22,6 +22,9 @@ struct SceneFeatures {
   std::vector<std::string> Names() const;
 };
 
+/// The lights that the scene names and that shine in the mode of the render, none of them black.
+std::vector<const Light*> ShiningLights(const World& world, const RenderSettings& settings);
+
 SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings);
 
 /// Which variant of the innermost loops runs: "whitted, pinhole, box filter".

@@ -29,6 +29,7 @@ struct Scene {
   R2::Color background, ambient;
   std::shared_ptr<const Environment> environment;  // seen instead of the background, and a light; null for none
   bool has_default_camera = false, has_default_lights = false;  // none were named
+  bool is_mirrored = false;  // the file's world is left-handed: z here is the negative of the file's
   double shadow_bias = 0;  // the least distance of what a shadow ray or a reflection can hit
   std::vector<SceneSetting> settings;
   std::vector<std::string> files;  // what it was read from: scene files, the top one first, then meshes and textures

@@ -62,9 +62,9 @@ RenderSettings SettingsForLayer(const RenderSettings& picture, Layer layer) {
   settings.replay.reset();
   settings.wants_passes = false;
   settings.denoise = false;
+  settings.places = BlockOrder::places;  // what is interpolated is no normal and no place on a texture
   if (layer == Layer::id || layer == Layer::depth) {
     settings.samples = 1;
-    settings.places = BlockOrder::places;
     settings.filter = FilterKind::box;
   }
   return settings;

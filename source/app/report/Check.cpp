@@ -10,6 +10,7 @@
 #include "source/app/report/ContactCheck.h"
 #include "source/app/report/LampCheck.h"
 #include "source/render/Flare.h"
+#include "source/render/SceneFeatures.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
@@ -76,14 +77,6 @@ void Point(std::vector<std::string>& mistakes, const World& world, const std::st
 
 bool ReflectsAmbientLight(const Instance& instance) { return !IsBlack(instance.material->ka); }
 
-bool IsLit(const World& world) {
-  const Scene& scene = world.scene();
-  const bool has_ambient_light =
-      !IsBlack(scene.ambient) && std::ranges::any_of(world.Instances(), ReflectsAmbientLight);
-  return has_ambient_light || scene.environment || std::ranges::any_of(world.Instances(), &Instance::Emits) ||
-         !std::ranges::all_of(scene.lights, [](const auto& light) { return light->IsBlack(); });
-}
-
 /// Whether all of the instance is on the outer side of one of the planes through the eye.
 bool IsOutsideView(const World& world, const Instance& instance, const R3::Point& eye,
                    std::span<const R3::Vector> inward) {
@@ -127,7 +120,7 @@ std::vector<std::string> SceneMistakes(const World& world, const RenderSettings&
     mistakes.push_back(warning + "nothing in the scene is in view of the camera");
   if (ShowsLight(settings.mode) && !IsLit(world))
     mistakes.push_back(warning + "the scene is unlit" + (scene.lights.empty() ? "" : "; every light is black"));
-  if (HasFlare(camera, settings) && LightsWithFlares(world, settings).empty())
+  if (HasFlare(camera, settings) && ShiningLights(world, settings).empty())
     mistakes.push_back(warning + "-flare has no effect without a light; what emits has no lens flare");
   if (const int solids = ObstaclesAround(world, camera.eye, ask_meshes); solids > 0)
     mistakes.push_back(warning + "the camera is inside " + Counted(static_cast<std::uint64_t>(solids), "shape"));
@@ -180,6 +173,14 @@ void AddTurnedMeshes(std::vector<std::string>& mistakes, const World& world) {
 
 }  // namespace
 
+bool IsLit(const World& world) {
+  const Scene& scene = world.scene();
+  const bool has_ambient_light =
+      !IsBlack(scene.ambient) && std::ranges::any_of(world.Instances(), ReflectsAmbientLight);
+  return has_ambient_light || scene.environment || std::ranges::any_of(world.Instances(), &Instance::Emits) ||
+         !std::ranges::all_of(scene.lights, [](const auto& light) { return light->IsBlack(); });
+}
+
 std::string PlaceOf(const World& world, const Instance& instance) {
   const Scene& scene = world.scene();
   const Location& location = instance.node->location;
@@ -211,6 +212,15 @@ std::vector<std::string> PlainMistakes(const World& world, const RenderSettings&
   std::vector<std::string> mistakes = SceneMistakes(world, settings, false);
   AddShapeMistakes(mistakes, world, settings);
   return mistakes;
+}
+
+std::vector<std::string> RenderHints(const World& world, const Accelerator& accelerator,
+                                     const RenderSettings& settings) {
+  std::vector<std::string> hints;
+  if (!ShowsLight(settings.mode)) return hints;
+  if (settings.mode == RenderMode::whitted && HasFewLamps(world)) hints = LampMistakes(world, settings);
+  for (std::string& hint : PlainContactMistakes(world, accelerator, settings)) hints.push_back(std::move(hint));
+  return hints;
 }
 
 std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings& settings) {

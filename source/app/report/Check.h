@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "source/accelerate/World.h"
+#include "source/accelerate/Accelerator.h"
 #include "source/app/options/Options.h"
 
 namespace ray {
@@ -16,8 +16,17 @@ std::string SceneSummary(const World& world, const RenderSettings& settings);
 /// shapes that cannot be hit... Nothing for scenes so large that looking would take noticeable time.
 std::vector<std::string> PlainMistakes(const World& world, const RenderSettings& settings);
 
+/// Returns what a render points out besides, unless it is to be quiet: lamps that are far too bright in mode whitted,
+/// surfaces of different materials in one place, lights inside of solids. Traces at most 1,152 rays, and takes
+/// milliseconds.
+std::vector<std::string> RenderHints(const World& world, const Accelerator& accelerator,
+                                     const RenderSettings& settings);
+
 /// What -check points out: the same in any scene, and also shapes outside the view and meshes around the camera.
 std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings& settings);
+
+/// True if anything shines: a light, an environment, a surface, or ambient light on a surface that reflects it.
+bool IsLit(const World& world);
 
 /// The place of an instance in its scene file, "room.scn:12:1".
 std::string PlaceOf(const World& world, const Instance& instance);

@@ -4,9 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "source/accelerate/Accelerator.h"
 #include "source/app/report/Check.h"
-#include "source/integrate/lights/LightSampler.h"
+#include "source/render/SceneFeatures.h"
 #include "source/sample/Sampler.h"
 #include "source/text/Quoting.h"
 
@@ -15,7 +14,7 @@ namespace {
 
 std::string AndMore(std::size_t count) { return count > 1 ? " (and " + std::to_string(count - 1) + " more)" : ""; }
 
-/// Two instances, the first of the file first.
+/// Two instances.
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Whether both are seen where they lie in one plane: a clear solid, and what it stands on.
@@ -23,22 +22,54 @@ bool AreBothSeen(const Instance& a, const Instance& b) {
   return (a.is_medium && a.IsClear()) || (b.is_medium && b.IsClear());
 }
 
-/// Pairs of different materials, one of which hides the other where the camera sees both in one plane.
-std::vector<Pair> PairsInOnePlane(const World& world, const RenderSettings& settings) {
-  constexpr int side = 64;                     // of the grid of rays
-  constexpr std::size_t most_hits = 1'000'000;  // of all rays: as many surfaces in one place are no more mistakes
+/// Adds rays through the image, in a grid of at most `side` times `side`, and no more than it has pixels.
+void AddCameraRays(const World& world, const RenderSettings& settings, int side, std::vector<R3::Ray>& rays) {
   const Camera camera = settings.view.value_or(world.scene().camera);
-  const auto accelerator = FindAcceleratorKind("auto")->Make(world, {});
+  const int columns = std::min(side, settings.width), rows = std::min(side, settings.height);
+  for (int i = 0; i < rows * columns; ++i) {
+    // Places of the image that no model has its edges at.
+    const double x = (i % columns + 0.3719) / columns * settings.width;
+    const double y = (i / columns + 0.4142) / rows * settings.height;
+    if (const auto ray = camera.RayThrough(x, y, settings.width, settings.height)) rays.push_back(*ray);
+  }
+}
+
+/// Adds rays that meet lamps made of triangles from both sides, since they light what is seen even if they are not.
+void AddRaysToLamps(const World& world, std::vector<R3::Ray>& rays) {
+  constexpr int most = 64;
+  int lamps = 0;
+  for (const Instance& instance : world.Instances()) {
+    if (!instance.mesh || !instance.Emits()) continue;
+    for (int i = 0; i < instance.mesh->Elements() && lamps < most; ++i, ++lamps) {
+      const auto [p, q, r] = instance.mesh->Corners(i);
+      const R3::Point inside = p + 0.3719 * (q - p) + 0.2618 * (r - p);
+      const R3::Vector normal = Cross(q - p, r - p) / std::max(Length(q - p), Length(r - p));
+      for (const R3::Vector& way : {normal, -normal}) {
+        const R3::Transform& world_from_local = world.Frames()[instance.frame];
+        R3::Ray ray{world_from_local * (inside - way), world_from_local * way};
+        ray.t_min = 0.999;  // nothing before the lamp matters
+        rays.push_back(ray);
+      }
+    }
+  }
+}
+
+/// Pairs of different materials, the first of which hides the second in one plane that the camera or a lamp shows.
+///   side   of the grid of camera rays
+std::vector<Pair> PairsInOnePlane(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                                  int side) {
+  constexpr std::size_t most_hits = 1'000'000;  // of all rays: as many surfaces in one place are no more mistakes
+  std::vector<R3::Ray> rays;
+  AddCameraRays(world, settings, side, rays);
+  AddRaysToLamps(world, rays);
   Workspace workspace;
   std::vector<Pair> pairs;
   std::size_t hits_so_far = 0;
-  for (int i = 0; i < side * side && hits_so_far < most_hits; ++i) {
-    // Places of the image that no model has its edges at.
-    const double x = (i % side + 0.3719) / side * settings.width, y = (i / side + 0.4142) / side * settings.height;
-    const auto ray = camera.RayThrough(x, y, settings.width, settings.height);
-    const auto hit = ray ? accelerator->Intersect(*ray, workspace) : std::nullopt;
+  for (const R3::Ray& ray : rays) {
+    if (hits_so_far >= most_hits) break;
+    const auto hit = accelerator.Intersect(ray, workspace);
     if (!hit || !hit->is_contested) continue;
-    const auto hits = accelerator->Coincident(*ray, *hit, workspace);
+    const auto hits = accelerator.Coincident(ray, *hit, workspace);
     hits_so_far += hits.size();
     for (const WorldHit& other : hits) {
       const Instance &first = world.Instances()[hits[0].instance], &second = world.Instances()[other.instance];
@@ -51,24 +82,25 @@ std::vector<Pair> PairsInOnePlane(const World& world, const RenderSettings& sett
   return pairs;
 }
 
-void AddPairsInOnePlane(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
-  const std::vector<Pair> pairs = PairsInOnePlane(world, settings);
+void AddPairsInOnePlane(std::vector<std::string>& mistakes, const World& world, const Accelerator& accelerator,
+                        const RenderSettings& settings, int side) {
+  const std::vector<Pair> pairs = PairsInOnePlane(world, accelerator, settings, side);
   if (pairs.empty()) return;
-  const auto& [first, second] = pairs[0];
-  mistakes.push_back(PlaceOf(world, world.Instances()[second]) +
-                     ": warning: this shape lies in one plane with that of " +
-                     PlaceOf(world, world.Instances()[first]) +
-                     ", which comes first in the file and hides it; their materials differ" + AndMore(pairs.size()));
+  const Instance &seen = world.Instances()[pairs[0].first], &hidden = world.Instances()[pairs[0].second];
+  mistakes.push_back(PlaceOf(world, hidden) + ": warning: this shape lies in one plane with that of " +
+                     PlaceOf(world, seen) + ", which " +
+                     (seen.Emits() && !hidden.Emits() ? "emits" : "comes first in the file") +
+                     " and hides it; their materials differ" + AndMore(pairs.size()));
 }
 
 /// Reports lights that only the inside of a shape sees: those without extent, since others are seen where they stick
 /// out.
-void AddLightsInSolids(std::vector<std::string>& mistakes, const World& world) {
+void AddLightsInSolids(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
   const auto is_closed_to_light = [](const Instance& i) { return i.shape->IsSolid() && IsBlack(i.material->kt); };
   if (SolidsAround(world, world.scene().camera.eye, is_closed_to_light) > 0) return;  // it may be a room
   std::string first;
   std::size_t count = 0;
-  for (const Light* light : LightsOf(world.scene())) {
+  for (const Light* light : ShiningLights(world, settings)) {
     const LightBound bound = light->Bound();
     if (bound.is_infinite || light->IsExtended()) continue;
     if (SolidsAround(world, bound.center, is_closed_to_light) == 0) continue;
@@ -180,10 +212,20 @@ void AddClaims(std::vector<std::string>& mistakes, const World& world) {
 
 }  // namespace
 
-std::vector<std::string> ContactMistakes(const World& world, const RenderSettings& settings) {
+std::vector<std::string> PlainContactMistakes(const World& world, const Accelerator& accelerator,
+                                              const RenderSettings& settings) {
+  constexpr int side = 32;
   std::vector<std::string> mistakes;
-  AddPairsInOnePlane(mistakes, world, settings);
-  AddLightsInSolids(mistakes, world);
+  AddPairsInOnePlane(mistakes, world, accelerator, settings, side);
+  AddLightsInSolids(mistakes, world, settings);
+  return mistakes;
+}
+
+std::vector<std::string> ContactMistakes(const World& world, const RenderSettings& settings) {
+  constexpr int side = 64;
+  std::vector<std::string> mistakes;
+  AddPairsInOnePlane(mistakes, world, *FindAcceleratorKind("auto")->Make(world, {}), settings, side);
+  AddLightsInSolids(mistakes, world, settings);
   AddOpenGlass(mistakes, world);
   AddGlassOfOneSide(mistakes, world);
   AddClaims(mistakes, world);

@@ -24,6 +24,11 @@ bool IsToBeLit(const Instance& instance) {
   return !instance.Emits() && !(IsBlack(m.kd) && IsBlack(m.ks));
 }
 
+/// Adds the middles of the eight parts of a box.
+void AddMiddles(const R3::Box& box, Places& places) {
+  for (int k = 0; k < 8 && !box.IsEmpty(); ++k) places.push_back(box.Center() + 0.5 * (box.Corner(k) - box.Center()));
+}
+
 /// Where light is compared: in a few of the shapes that reflect it, the middles of the eight parts of the box around
 /// each, since the middle of all may lie in the plane of a lamp. None where nothing reflects light.
 Places PlacesToCompare(const World& world) {
@@ -35,9 +40,7 @@ Places PlacesToCompare(const World& world) {
   constexpr std::size_t most_boxes = 8;  // 64 places, times 1 s per ten million lamps
   const std::size_t step = (lit.size() + most_boxes - 1) / most_boxes;
   Places places;
-  for (std::size_t i = 0; i < lit.size(); i += step)
-    for (int k = 0; k < 8 && !lit[i].IsEmpty(); ++k)
-      places.push_back(lit[i].Center() + 0.5 * (lit[i].Corner(k) - lit[i].Center()));
+  for (std::size_t i = 0; i < lit.size(); i += step) AddMiddles(lit[i], places);
   return places;
 }
 
@@ -140,15 +143,21 @@ ModeLight LightOfPath(const World& world, const Places& places, double around, b
 
 ModeLight LightOfWhitted(const World& world, const Places& places, double around, const TraceSettings& settings) {
   const double lamps = LampsOfWhitted(world, settings);
-  return {lamps, lamps + LightOf(LightsOf(world.scene()), places) + around};
+  return {lamps, lamps + LightOf(LightsOfWhitted(world, settings), places) + around};
 }
 
 /// How the modes whitted and path differ, if lamps make the light of the one more than twice that of the other; else
 /// empty.
 std::string DifferenceOfModes(const World& world, const RenderSettings& settings) {
   const Scene& scene = world.scene();
-  const Places places = PlacesToCompare(world);
+  Places places = PlacesToCompare(world);
   if (places.empty()) return {};
+  if (LampsOfPath(world, places, true) == 0) {  // all lie in the plane of a lamp, such as that of a ceiling around it
+    R3::Box seen = scene.root.bounds;
+    seen.Extend(settings.view.value_or(scene.camera).eye);
+    places.clear();
+    AddMiddles(seen, places);
+  }
   // Solids that light nothing in mode whitted are pointed out there one by one.
   const bool counts_solids =
       settings.trace.emissive_solids_light || settings.mode == RenderMode::path || scene.has_default_lights;
@@ -192,6 +201,15 @@ void AddMeshesOfLamps(std::vector<std::string>& mistakes, const World& world, co
 
 }  // namespace
 
+bool HasFewLamps(const World& world) {
+  constexpr std::int64_t many = 64;       // 13 ms, since 64 places are drawn on each for 64 places that are lit
+  constexpr std::int64_t triangles = 64;  // that take as long as another shape
+  std::int64_t lamps = 0;
+  for (const Instance& instance : world.Instances())
+    if (instance.Emits()) lamps += instance.mesh ? instance.mesh->Elements() : triangles;
+  return lamps <= many * triangles;
+}
+
 std::vector<std::string> LampMistakes(const World& world, const RenderSettings& settings) {
   std::vector<std::string> mistakes;
   const bool is_of_light = settings.mode == RenderMode::whitted || settings.mode == RenderMode::path;
@@ -199,7 +217,7 @@ std::vector<std::string> LampMistakes(const World& world, const RenderSettings& 
   AddMeshesOfLamps(mistakes, world, settings);
   if (settings.trace.emission == Emission::color) return mistakes;  // then the modes are alike
   if (const std::string difference = DifferenceOfModes(world, settings); !difference.empty())
-    mistakes.push_back((world.scene().files.empty() ? "scene" : Escaped(world.scene().files[0])) + ": warning: " +
+    mistakes.push_back(PlaceOf(world, *std::ranges::find_if(world.Instances(), &Instance::Emits)) + ": warning: " +
                        difference);
   return mistakes;
 }

@@ -13,6 +13,7 @@
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/PictureName.h"
 #include "source/app/options/SceneSettings.h"
+#include "source/app/report/BlackImage.h"
 #include "source/app/report/Check.h"
 #include "source/app/report/Messages.h"
 #include "source/integrate/lights/LightSource.h"
@@ -119,6 +120,7 @@ void RunLog::Built(const World& world, const Accelerator& accelerator) {
   stats_.seconds.build = watch_.Lap();
   for (const std::string& line : world.Warnings()) Warn(line);
   for (const std::string& line : PlainMistakes(world, stats_.options.render)) Warn(line);
+  for (const std::string& line : RenderHints(world, accelerator, stats_.options.render)) Hint(line);
   stats_.scene.nodes = static_cast<std::int64_t>(world.Nodes().size());
   stats_.scene.instances = static_cast<std::int64_t>(world.Instances().size());
   stats_.scene.primitives = world.Primitives();
@@ -157,7 +159,7 @@ void RunLog::WillFinishIn(const Budget& budget) {
                      "; the image will not be denoised");
 }
 
-void RunLog::Rendered(const RenderResult& result) {
+void RunLog::Rendered(const World& world, const Accelerator& accelerator, const RenderResult& result) {
   stats_.seconds.render = watch_.Lap();
   stats_.seconds.wall = watch_.Total();
   stats_.Take(result);
@@ -174,6 +176,13 @@ void RunLog::Rendered(const RenderResult& result) {
         "raypro: warning: no path from a surface to a lamp by way of mirrors or glass was found; caustics that are so "
         "rare may make the true error larger than estimated, up to " +
         ErrorText(result.error->high, result.error->unit));
+  constexpr double share_to_report = 0.02;
+  if (result.share_cut > share_to_report)
+    Hint("raypro: warning: " + Rounded(100 * result.share_cut, 2) + "% of the light ended at " +
+         LimitsOfLight(stats_) + "; the image is about that much too dark");
+  if (ShowsLight(render.mode) && !render.crop && result.IsComplete() && !world.Instances().empty() &&
+      IsLit(world) && IsWhollyBlack(result.image))
+    Hint("raypro: warning: the image is black; " + WhyBlack(world, accelerator, render));
   if (result.rays.cut > 0)
     Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were terminated; a camera ray may have at most " +
          std::to_string(most_descendants) + " descendants");
@@ -218,6 +227,11 @@ void RunLog::Summarize() const {
 
 void RunLog::Warn(const std::string& line) {
   PrintError(line);
+  stats_.warnings.push_back(line);
+}
+
+void RunLog::Hint(const std::string& line) {
+  if (!stats_.options.quiet) PrintError(line);
   stats_.warnings.push_back(line);
 }
 

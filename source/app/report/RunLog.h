@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "source/accelerate/World.h"
+#include "source/accelerate/Accelerator.h"
 #include "source/app/report/Resources.h"
 #include "source/app/report/RunStats.h"
 
@@ -23,7 +23,7 @@ class RunLog {
   void WillFinishIn(const Budget& budget);
   /// With a time limit that machines share: since when, in seconds.
   void BeganTogether(double seconds_ago) { shared_before_ = seconds_ago - SecondsSoFar(); }
-  void Rendered(const RenderResult& result);
+  void Rendered(const World& world, const Accelerator& accelerator, const RenderResult& result);
   /// With what -reference names, in the unit of the estimated error.
   void Compared(double true_error);
   /// `picture`: where it went.
@@ -37,6 +37,8 @@ class RunLog {
 
  private:
   void Warn(const std::string& line);
+  /// A warning that -quiet silences.
+  void Hint(const std::string& line);
   void PrintStep(const std::string& step, double seconds) const;
 
   Stopwatch watch_;

@@ -72,16 +72,20 @@ bool CutsLight(const std::string& setting) {
   return setting.starts_with("max_depth") || setting.starts_with("min_luminance");
 }
 
+/// "-max_depth 3, -sampler grid", of the settings that cut light off or of the others.
+std::string BiasText(const RunStats& record, bool cuts_light) {
+  std::string list;
+  for (const std::string& setting : record.biased) {
+    if (setting == "denoise") continue;  // printed with the error
+    if (CutsLight(setting) == cuts_light) list += (list.empty() ? "-" : ", -") + setting;
+  }
+  return list;
+}
+
 /// "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2%), biased by -adaptive tile"; nothing for no
 /// limits.
 std::string LimitsText(const RunStats& record) {
-  std::string cut, moved;
-  for (const std::string& setting : record.biased) {
-    if (setting == "denoise") continue;  // told with the error
-    if (CutsLight(setting) && record.share_cut == 0) continue;
-    std::string& list = CutsLight(setting) ? cut : moved;
-    list += (list.empty() ? "-" : ", -") + setting;
-  }
+  const std::string cut = record.share_cut > 0 ? BiasText(record, true) : "", moved = BiasText(record, false);
   return (cut.empty() ? "" : "; limited by " + cut + DarknessText(record)) +
          (moved.empty() ? "" : (cut.empty() ? "; biased by " : ", biased by ") + moved);
 }
@@ -210,6 +214,8 @@ R2::ImageSettings SettingsInPicture(const RunStats& record) {
     settings["scene_settings"] += (settings["scene_settings"].empty() ? "" : ", ") + setting;
   return settings;
 }
+
+std::string LimitsOfLight(const RunStats& record) { return BiasText(record, true); }
 
 std::string FinalLine(const RunStats& record) {
   return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) + " " +

@@ -71,6 +71,9 @@ std::string CommandAsTyped(std::span<const std::string> words);
 /// -keep_times is given.
 R2::ImageSettings SettingsInPicture(const RunStats& stats);
 
+/// Lists the settings in force that cut off light: "-max_depth 3, -min_luminance 0.01".
+std::string LimitsOfLight(const RunStats& stats);
+
 /// "out.jpg 512x512 16 spp 1.83 s 14.2 Mrays/s"
 std::string FinalLine(const RunStats& stats);
 

@@ -58,7 +58,7 @@ R2::Image ImageOf(const Pixels<Rgb>& pixels) {
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) {
       const Rgb& c = pixels.At(x, y);
-      image.Set(x, y, {c[0], c[1], c[2]});
+      image.Store(x, y, {c[0], c[1], c[2]});
     }
   return image;
 }

@@ -196,6 +196,12 @@ std::vector<const Light*> LightsOfPath(const World& world) {
   return scene.has_default_lights && emits ? std::vector<const Light*>() : LightsOf(scene);
 }
 
+std::vector<const Light*> LightsOfWhitted(const World& world, const TraceSettings& settings) {
+  const Scene& scene = world.scene();
+  const bool emits = settings.emissive_solids_light && std::ranges::any_of(world.Instances(), &Instance::Emits);
+  return scene.has_default_lights && emits ? std::vector<const Light*>() : LightsOf(scene);
+}
+
 LightSources LightSourcesOfPath(const World& world, const TraceSettings& settings) {
   LightSources lights;
   for (const Light* light : LightsOfPath(world)) lights.push_back(std::make_unique<SceneLight>(*light));
@@ -213,7 +219,7 @@ LightSources LightSourcesOfPath(const World& world, const TraceSettings& setting
 
 LightSources LightSourcesOfWhitted(const World& world, const TraceSettings& settings) {
   LightSources lights;
-  for (const Light* light : LightsOf(world.scene())) lights.push_back(std::make_unique<SceneLight>(*light));
+  for (const Light* light : LightsOfWhitted(world, settings)) lights.push_back(std::make_unique<SceneLight>(*light));
   AddLamps(world, settings, lights);
   return lights;
 }

@@ -50,8 +50,11 @@ class LightSource {
 
 using LightSources = std::vector<std::unique_ptr<const LightSource>>;
 
-/// The scene's lights that shine in mode path, none of them black: the default ones only where nothing else emits.
+/// The scene's lights that shine in mode path, none of them black: the default ones only if nothing else emits.
 std::vector<const Light*> LightsOfPath(const World& world);
+/// The scene's lights that shine in mode whitted, none of them black: the default ones too, unless solids that emit are
+/// lights by -emissive_solids.
+std::vector<const Light*> LightsOfWhitted(const World& world, const TraceSettings& settings);
 
 /// All lights of mode path: those of the scene language, which no ray can hit; shapes that emit, triangles first; and
 /// the environment.

@@ -130,7 +130,7 @@ LightTree::LightTree(std::vector<LightBound> lights) : slots_(lights.size()) {
   std::vector<double> powers;
   for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
     LightBound& light = lights[static_cast<std::size_t>(i)];
-    assert(std::isfinite(light.power) && light.power >= 0);
+    assert(light.power >= 0);
     if (light.power == 0) continue;
     if (light.is_infinite) {
       slots_[static_cast<std::size_t>(i)].infinite = static_cast<int>(infinite_.size());

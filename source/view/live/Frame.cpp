@@ -1,18 +1,13 @@
 #include "source/view/live/Frame.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
+
+#include "R2/Image.h"
 
 namespace ray {
 namespace {
 
-/// Converts as the film does: NaN becomes 0, and what is beyond the largest float becomes that.
-float Storable(double x) {
-  constexpr double largest = std::numeric_limits<float>::max();
-  return static_cast<float>(std::isnan(x) ? 0 : std::clamp(x, -largest, largest));
-}
+float Stored(double x) { return static_cast<float>(R2::Storable(x)); }
 
 }  // namespace
 
@@ -24,9 +19,9 @@ Frame::Frame(int width, int height)
 
 void Frame::Set(int x, int y, const R2::Color& color) {
   std::atomic<float>* channels = &channels_[Index(x, y)];
-  channels[0].store(Storable(color.r), std::memory_order_relaxed);
-  channels[1].store(Storable(color.g), std::memory_order_relaxed);
-  channels[2].store(Storable(color.b), std::memory_order_relaxed);
+  channels[0].store(Stored(color.r), std::memory_order_relaxed);
+  channels[1].store(Stored(color.g), std::memory_order_relaxed);
+  channels[2].store(Stored(color.b), std::memory_order_relaxed);
 }
 
 R2::Color Frame::At(int x, int y) const {

@@ -101,6 +101,39 @@ TEST(Subsampling, PartsAndResumedRendersAreTheSameBytes) {
   EXPECT_TRUE(Decode(folder / "out.png").image == whole);
 }
 
+TEST(Subsampling, LayersAreTracedInEveryPixel) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder folder;
+  const std::vector<std::string> request{folder.Scene(), folder / "all.exr", "-width", "40", "-height", "30",
+                                         "-quiet",       "-layers",          "depth,normal,uv,albedo,id"};
+  ASSERT_EQ(RunProgram(request).status, 0);
+  auto some = With(request, {"-samples", "1/16"});
+  some[1] = folder / "some.exr";
+  ASSERT_EQ(RunProgram(some).status, 0);
+  for (const char* layer : {"depth", "normal", "uv", "albedo", "id"}) {
+    const auto extracted = [&](const std::string& name) {
+      const std::string out = folder / (name + "-" + layer + ".pfm");
+      EXPECT_EQ(Rayimg({"extract", folder / (name + ".exr"), layer, out}).status, 0);
+      return Decode(out).image;
+    };
+    EXPECT_TRUE(extracted("all") == extracted("some")) << layer;
+  }
+}
+
+TEST(Subsampling, PixelsBeyondFloatsAreStoredAsTheLargest) {
+  NEEDS_THE_PROGRAM();
+  const TemporaryFolder folder;
+  const std::string scene =
+      WriteFile(folder / "a.scn", "camera 0 0 5  0 0 -1  0 1 0  .3 .01 100\n"
+                                  "material 0 0 0  0 0 0  0 0 0  0 0 0  1e300 1e39 1  1 1 0\nsphere 0  0 0 0  1\n");
+  for (const char* samples : {"1", "1/2", "1/4", "1/8", "1/16"}) {
+    ASSERT_EQ(RunProgram({scene, folder / "a.pfm", "-width", "16", "-height", "16", "-samples", samples}).status, 0);
+    const R2::Image image = Decode(folder / "a.pfm").image;
+    EXPECT_TRUE(std::ranges::all_of(image.Channels(), [](float x) { return std::isfinite(x); })) << samples;
+    EXPECT_EQ(image.At(8, 8), (R2::Color{std::numeric_limits<float>::max(), std::numeric_limits<float>::max(), 1}));
+  }
+}
+
 TEST(Subsampling, WhatNeedsEveryPixelIsRefused) {
   NEEDS_THE_PROGRAM();
   const SceneFolder folder;

@@ -83,6 +83,7 @@ Reader::Reader(const Files& files, const ParseOptions& options, Assets& assets, 
 Scene Reader::Read() {
   builder_.has_camera = builder_.has_light = true;  // the course fills nothing in
   builder_.scene.camera = ViewFrom({}, {}, 0);
+  builder_.scene.is_mirrored = true;
   builder_.scene.settings = Rules();
   builder_.scene.files.push_back(files_.TopName());
   try {

@@ -195,6 +195,33 @@ TEST(Check, EveryRenderWarnsOfCheaplyFoundMistakes) {
   EXPECT_FALSE(Has(plain("sphere -1  0 0 0  0\n"), "degenerate")) << "its reader has said so";
 }
 
+// What -check knows to spoil an image, a render says as well.
+TEST(Check, EveryRenderHintsAtLampsCoincidentSurfacesAndEnclosedLights) {
+  const auto hints = [](const std::string& text, const RenderSettings& settings = {}) {
+    const Example example(camera + text);
+    std::string all;
+    const auto accelerator = FindAcceleratorKind("auto")->Make(example.TheWorld(), {});
+    for (const std::string& hint : RenderHints(example.TheWorld(), *accelerator, settings)) all += hint + "\n";
+    return all;
+  };
+  const std::string white = "material .1 .1 .1  .5 .5 .5  0 0 0  0 0 0  0 0 0  1 1 0\n",
+                    glowing = "material 0 0 0  0 0 0  0 0 0  0 0 0  3 3 3  1 1 0\n",
+                    floor = "quad 0 -9 -1 -9  9 -1 -9  9 -1 9  -9 -1 9\n",
+                    lamp = "quad 1 -.1 3 -.1  .1 3 -.1  .1 3 .1  -.1 3 .1\n";
+  const std::string room = hints(white + glowing + floor + lamp);
+  EXPECT_TRUE(Has(room, "example.scn:5:1: warning: the scene has no lights: in mode whitted two default lights")) << room;
+  EXPECT_EQ(hints(white + glowing + floor + lamp, Of(RenderMode::path)), "");
+  RenderSettings solids;
+  solids.trace.emissive_solids_light = true;
+  EXPECT_FALSE(Has(hints(white + glowing + floor + lamp, solids), "default lights"));
+  EXPECT_TRUE(Has(hints(white + glowing + floor + "point_light 1 1 1  0 3 0  1 0 0 sphere 0 0 3 0 .5"),
+                  "is inside a shape that no light leaves"));
+  // A lamp in the plane of a ceiling, where the camera does not look.
+  const std::string behind = "quad 0 -9 3 30  9 3 30  9 3 50  -9 3 50\nquad 1 -1 3 39  1 3 39  1 3 41  -1 3 41\n";
+  EXPECT_TRUE(Has(hints(white + glowing + floor + behind, Of(RenderMode::path)),
+                  "example.scn:5:1: warning: this shape lies in one plane"));
+}
+
 TEST(Check, SaysWhereTheDefaultsAreInForce) {
   const std::string none = SceneSummary(Example("sphere -1  0 0 0  1\n").TheWorld(), {});
   EXPECT_TRUE(Has(none, " degrees in all (the default: the scene names none)\n")) << none;

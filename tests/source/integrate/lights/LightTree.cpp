@@ -384,4 +384,17 @@ TEST(LightTree, WeakLightsBesideStrongOnesAreStillChosen) {
   EXPECT_GT(tree.Probability({}, {0, 1, 0}, 1), 1e-8);
 }
 
+// Radiance times area may be more than doubles hold.
+TEST(LightTree, LightsOfInfinitePowerAreChosenLikeTheStrongest) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const LightBound strong{.center = {0, 1, 0}, .power = infinite}, weak{.center = {0, 1, 1}, .power = 1};
+  const LightTree tree({strong, weak, strong});
+  for (const double u : {0.1, 0.4, 0.6, 0.9}) {
+    const auto choice = tree.Choose({0, 0, 0}, {0, 1, 0}, u);
+    ASSERT_TRUE(choice);
+    EXPECT_NE(choice->light, 1);
+    EXPECT_GT(choice->probability, 0.4);
+  }
+}
+
 }  // namespace

@@ -42,6 +42,18 @@ TEST(Comp30019, TheCameraLooksIntoTheScreenWith60DegreesOfWidth) {
   EXPECT_NEAR(std::tan(camera.xfov), 1 / std::sqrt(3), 1e-15);
 }
 
+TEST(Comp30019, TheViewOfTheCommandLineIsInTheWorldOfTheFile) {
+  const Folder folder;
+  ParseOptions options;
+  options.camera.eye = R3::Point{1, 2, -3};
+  options.camera.target = R3::Point{1, 2, 9};  // into the screen
+  options.camera.up = R3::Vector{0, 4, 1};
+  const Camera camera = Parse(folder.Write("scene.txt", ""), options).scene.camera;
+  EXPECT_EQ(camera.eye, (R3::Point{1, 2, 3}));
+  EXPECT_EQ(camera.towards, (R3::Vector{0, 0, -1}));
+  EXPECT_EQ(camera.up, (R3::Vector{0, 1, 0}));
+}
+
 TEST(Comp30019, NothingIsFilledIn) {
   const Scene scene = SceneOfComp30019(red_material);
   EXPECT_TRUE(scene.lights.empty());

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "R2/Image.h"
+#include "source/accelerate/Accelerator.h"
+#include "source/render/RenderSettings.h"
+
+namespace ray {
+
+/// True if every channel of every pixel is 0.
+bool IsWhollyBlack(const R2::Image& image);
+
+/// Returns the likely reason why a render that shows light is wholly black, for a warning: "the camera sees ...". Tries
+/// what would make it bright, in images of at most 32x32 pixels: the camera behind the first surface, and no shadows.
+std::string WhyBlack(const World& world, const Accelerator& accelerator, const RenderSettings& settings);
+
+}  // namespace ray
