@@ -52,7 +52,9 @@ std::vector<WorldHit> Accelerator::HitsNear(const R3::Ray& ray, const WorldHit& 
 }
 
 WorldHit Accelerator::Seen(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const {
-  return SeenOf(world_, ray, HitsNear(ray, nearest, workspace));
+  WorldHit seen = SeenOf(world_, ray, HitsNear(ray, nearest, workspace));
+  seen.is_contested = true;  // those found near it are not marked
+  return seen;
 }
 
 std::vector<WorldHit> Accelerator::Coincident(const R3::Ray& ray, const WorldHit& hit, Workspace& workspace) const {

@@ -164,7 +164,8 @@ std::string DifferenceOfModes(const World& world, const RenderSettings& settings
   const double around = Luminance(scene.ambient) + RadianceAround(scene);
   const ModeLight path = LightOfPath(world, places, around, counts_solids),
                   whitted = LightOfWhitted(world, places, around, settings.trace);
-  if (scene.has_default_lights && whitted.all > 2 * path.all)
+  const bool has_defaults = scene.has_default_lights && !LightsOfWhitted(world, settings.trace).empty();
+  if (has_defaults && whitted.all > 2 * path.all)
     return "the scene has no lights: in mode whitted two default lights make it " + Times(whitted.all / path.all) +
            " as bright as in mode path, where only its emissive surfaces light it";
   if (whitted.IsTwice(path))

@@ -33,7 +33,8 @@ TEST(ContactCheck, PointsOutSurfacesOfDifferentMaterialsInOnePlane) {
                     poster = "quad 1 -.5 -.5 0  .5 -.5 0  .5 .5 0  -.5 .5 0\n";
   EXPECT_TRUE(Has(Mistakes(matte + matte + wall + poster),
                   "example.scn:5:1: warning: this shape lies in one plane with that of "));
-  const std::string lamp = "material 0 0 0  0 0 0  0 0 0  0 0 0  3 3 3  1 1 0\n", found = Mistakes(matte + lamp + wall + poster);
+  const std::string glowing = "material 0 0 0  0 0 0  0 0 0  0 0 0  3 3 3  1 1 0\n";
+  const std::string found = Mistakes(matte + glowing + wall + poster);
   EXPECT_TRUE(Has(found, "example.scn:4:1: warning: this shape lies in one plane with that of ")) << found;
   EXPECT_TRUE(Has(found, "example.scn:5:1, which emits and hides it")) << found;
   EXPECT_EQ(Mistakes(matte + matte + wall + "quad 0 -.5 -.5 0  .5 -.5 0  .5 .5 0  -.5 .5 0\n"), "");
