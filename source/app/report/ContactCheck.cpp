@@ -65,11 +65,13 @@ std::vector<Pair> PairsInOnePlane(const World& world, const Accelerator& acceler
   Workspace workspace;
   std::vector<Pair> pairs;
   std::size_t hits_so_far = 0;
-  for (const R3::Ray& ray : rays) {
-    if (hits_so_far >= most_hits) break;
-    const auto hit = accelerator.Intersect(ray, workspace);
-    if (!hit || !hit->is_contested) continue;
-    const auto hits = accelerator.Coincident(ray, *hit, workspace);
+  std::vector<std::optional<WorldHit>> nearest(rays.size());
+  constexpr std::size_t packet = 64;
+  for (std::size_t i = 0; i < rays.size(); i += packet)
+    accelerator.Intersect(std::span(rays).subspan(i, std::min(packet, rays.size() - i)), &nearest[i], workspace);
+  for (std::size_t i = 0; i < rays.size() && hits_so_far < most_hits; ++i) {
+    if (!nearest[i] || !nearest[i]->is_contested) continue;
+    const auto hits = accelerator.Coincident(rays[i], *nearest[i], workspace);
     hits_so_far += hits.size();
     for (const WorldHit& other : hits) {
       const Instance &first = world.Instances()[hits[0].instance], &second = world.Instances()[other.instance];
