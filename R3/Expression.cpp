@@ -1,5 +1,6 @@
 #include "R3/Expression.h"
 
+#include <cmath>
 #include <utility>
 
 #include "R3/ExpressionParser.h"
@@ -161,5 +162,17 @@ template Slope<Interval> Expression::At(const Slope<Interval>&, const Slope<Inte
                                         std::vector<Slope<Interval>>&) const;
 
 Expression::Expression(std::string_view text) : text_(text) { ExpressionParser(*this).Parse(); }
+
+Expression::Expression(std::string_view text, const ValueOfName& value_of) : text_(text) {
+  ExpressionParser(*this, &value_of).Parse();
+}
+
+double Evaluate(std::string_view formula, const ValueOfName& value_of) {
+  std::vector<double> values;
+  const double value = Expression(formula, value_of).At(0.0, 0.0, 0.0, values);
+  if (!std::isfinite(value))
+    throw ExpressionError(0, formula.size(), std::isnan(value) ? "this has no value" : "this exceeds the range of a double");
+  return value;
+}
 
 }  // namespace R3

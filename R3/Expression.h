@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -26,6 +27,13 @@ struct Slope {
   Slope(double constant) : value(constant) {}  // that does not change
   Slope(const Number& v, const Number& s) : value(v), slope(s) {}
 };
+
+/// Returns the number that $name stands for in a formula. Throws std::runtime_error, whose text says why there is none.
+using ValueOfName = std::function<double(std::string_view name)>;
+
+/// Returns the value of a formula without x, y and z, in which $name stands for a number: "($day * 12 + 30)". The rest
+/// is as in an Expression; each operation rounds to a double. Throws ExpressionError, also if the value is not finite.
+double Evaluate(std::string_view formula, const ValueOfName& value_of);
 
 /// A formula of x, y and z: + - * / ^ with whole exponents, sin cos tan exp log sqrt abs min max, pi. Two factors may
 /// stand beside each other, as in 3 x.
@@ -64,6 +72,9 @@ class Expression {
   };
 
  private:
+  Expression(std::string_view text, const ValueOfName& value_of);
+
+  friend double Evaluate(std::string_view formula, const ValueOfName& value_of);
   friend class ExpressionParser;
   friend class FormulaLanes;
   /// One operation on the results of earlier ones. No two are alike.

@@ -22,6 +22,7 @@ constexpr std::array functions{
     Function{"exp", Expression::Operation::exp, 1},   Function{"log", Expression::Operation::log, 1},
     Function{"sqrt", Expression::Operation::sqrt, 1}, Function{"abs", Expression::Operation::abs, 1},
     Function{"min", Expression::Operation::min, 2},   Function{"max", Expression::Operation::max, 2}};
+constexpr std::string_view known_functions = "sin, cos, tan, exp, log, sqrt, abs, min and max";
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -51,7 +52,7 @@ std::size_t ExpressionParser::Product() {
     const char next = Next();
     if (Takes('/'))
       product = Add(Operation::divide, product, Divisor());
-    else if (Takes('*') || IsDigit(next) || next == '.' || IsLetter(next) || next == '(')
+    else if (Takes('*') || IsDigit(next) || next == '.' || IsLetter(next) || next == '(' || (value_of_ && next == '$'))
       product = Add(Operation::multiply, product, Factor());
     else
       return product;
@@ -107,6 +108,7 @@ std::size_t ExpressionParser::Primary() {
   const char next = Next();
   if (IsDigit(next) || next == '.') return Number();
   if (IsLetter(next)) return Name();
+  if (value_of_ && next == '$') return NamedValue();
   if (!Takes('(')) Refuse();
   const std::size_t inner = Sum();
   Expect(')');
@@ -125,11 +127,21 @@ std::size_t ExpressionParser::Name() {
   const std::size_t start = at_;
   while (at_ < text_.size() && (IsLetter(text_[at_]) || IsDigit(text_[at_]))) ++at_;
   const std::string_view name = std::string_view(text_).substr(start, at_ - start);
-  if (name == "x") return Add(Operation::x);
-  if (name == "y") return Add(Operation::y);
-  if (name == "z") return Add(Operation::z);
+  if (!value_of_ && name == "x") return Add(Operation::x);
+  if (!value_of_ && name == "y") return Add(Operation::y);
+  if (!value_of_ && name == "z") return Add(Operation::z);
   if (name == "pi") return Add(Operation::number, 0, 0, std::numbers::pi);
   return Call(name, start);
+}
+
+std::size_t ExpressionParser::NamedValue() {
+  const std::size_t start = at_++;
+  while (at_ < text_.size() && (IsLetter(text_[at_]) || IsDigit(text_[at_]))) ++at_;
+  try {
+    return Add(Operation::number, 0, 0, (*value_of_)(std::string_view(text_).substr(start + 1, at_ - start - 1)));
+  } catch (const std::runtime_error& error) {
+    throw ExpressionError(start, at_ - start, error.what());
+  }
 }
 
 std::size_t ExpressionParser::Call(std::string_view name, std::size_t start) {
@@ -139,7 +151,8 @@ std::size_t ExpressionParser::Call(std::string_view name, std::size_t start) {
     if (known.name == name) function = &known;
   if (!function)
     throw ExpressionError(start, name.size(), "no variable or function is named '" + std::string(name) + "'",
-                          "there are x, y, z, pi, sin, cos, tan, exp, log, sqrt, abs, min and max");
+                          (value_of_ ? "variables are written $name; there are pi, " : "there are x, y, z, pi, ") +
+                              std::string(known_functions));
   Expect('(');
   const std::size_t a = Sum();
   std::size_t b = a;

@@ -11,9 +11,13 @@ namespace R3 {
 ///     factor  = (- | +) factor | power
 ///     power   = primary [ ^ [-] whole number ]
 ///     primary = number | x | y | z | pi | function ( sum [, sum] ) | ( sum )
+///
+/// A formula that is evaluated once has $name in place of x, y and z.
 class ExpressionParser {
  public:
-  explicit ExpressionParser(Expression& expression) : expression_(expression), text_(expression.text_) {}
+  /// `value_of`: null for a formula of x, y and z.
+  explicit ExpressionParser(Expression& expression, const ValueOfName* value_of = nullptr)
+      : expression_(expression), text_(expression.text_), value_of_(value_of) {}
 
   /// Parses the whole text; throws ExpressionError.
   void Parse();
@@ -29,6 +33,7 @@ class ExpressionParser {
   std::size_t Primary();
   std::size_t Number();
   std::size_t Name();
+  std::size_t NamedValue();
   std::size_t Call(std::string_view name, std::size_t start);
   int Exponent();
 
@@ -45,6 +50,7 @@ class ExpressionParser {
 
   Expression& expression_;
   const std::string& text_;
+  const ValueOfName* value_of_;
   std::size_t at_ = 0, operations_ = 0;
   int depth_ = 0;
 };

@@ -21,7 +21,8 @@ struct Token {
   std::string_view text;
   std::size_t line = 0, column = 0;  // from 1, column in characters
   bool starts_line = false;
-  std::string_view variable{};  // what stands in the file, where `text` is the value of a variable
+  std::string_view variable{};  // what stands in the file, where `text` is the value of a variable or formula
+  bool is_broken = false;       // a formula without a value, which has been reported
 
   std::string_view InFile() const { return variable.empty() ? text : variable; }
 };

@@ -1,8 +1,10 @@
 #include "source/parse/Tokenizer.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
+#include "R3/Expression.h"
 #include "source/text/Number.h"
 #include "source/text/Quoting.h"
 
@@ -59,13 +61,16 @@ std::optional<Token> Tokenizer::Scan() {
   const char* const first = next_;
   Token token{{}, line_, column_, std::exchange(at_line_start_, false)};
   const bool is_quoted = quotes_ == Quotes::names && *first == '"';
-  token.text = {first, is_quoted ? LengthOfQuoted() : LengthOfWord()};
+  const std::size_t length_of_formula = quotes_ == Quotes::names && *first == '(' ? LengthOfFormula() : 0;
+  token.text = {first, is_quoted ? LengthOfQuoted() : length_of_formula > 0 ? length_of_formula : LengthOfWord()};
   next_ = first + token.text.size();
   column_ += CountCharacters(token.text);
   if (variables_ && *first == '$') {
     if (const std::string* value = variables_->Find(token.text.substr(1)))
       token.variable = std::exchange(token.text, *value);
   }
+  const bool stands_for_formula = !token.variable.empty() && token.text.starts_with('(') && token.text.ends_with(')');
+  if (variables_ && (length_of_formula > 0 || stands_for_formula)) Evaluate(token);
   return token;
 }
 
@@ -85,6 +90,41 @@ std::size_t Tokenizer::LengthOfQuoted() const {
     if (*behind == '\\' && behind + 1 != end_ && !EndsLine(behind[1])) ++behind;
   }
   return static_cast<std::size_t>(behind - next_);
+}
+
+/// Up to the parenthesis that closes the first one; if it is missing, up to the end of the line or a comment. 0 for a
+/// word such as the name of a file: one that goes on behind the parenthesis, or begins like no formula and lacks it.
+std::size_t Tokenizer::LengthOfFormula() const {
+  int open = 0;
+  const char* behind = next_;
+  for (const char* at = next_; at != end_ && !EndsLine(*at) && *at != '#'; ++at) {
+    open += (*at == '(') - (*at == ')');
+    if (!IsSpace(*at)) behind = at + 1;
+    if (open > 0) continue;
+    const bool ends_word = behind == end_ || IsSpace(*behind) || *behind == '#';
+    return ends_word ? static_cast<std::size_t>(behind - next_) : 0;
+  }
+  const bool may_be_formula = next_ + 1 != end_ && std::strchr(" \t0123456789.+-$(", next_[1]);
+  return may_be_formula ? static_cast<std::size_t>(behind - next_) : 0;
+}
+
+void Tokenizer::Evaluate(Token& token) {
+  const std::string_view formula = token.text;
+  const bool is_in_file = token.variable.empty();
+  if (is_in_file) token.variable = formula;
+  try {
+    token.text = variables_->Evaluate(formula);
+  } catch (const R3::ExpressionError& error) {
+    Token part = token;
+    if (is_in_file) {
+      part.text = formula.substr(std::min(error.at, formula.size()), error.length);
+      part.column += CountCharacters(formula.substr(0, error.at));
+    }
+    const std::string stands_for = Escaped(token.variable) + " stands for " + Escaped(formula) + ": ";
+    mistakes_.push_back(ErrorAt(text_, part, (is_in_file ? "" : stands_for) + error.what(), error.hint));
+    token.text = "1";
+    token.is_broken = true;
+  }
 }
 
 void Tokenizer::SkipWhiteSpace() {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "source/parse/Text.h"
 #include "source/parse/Variables.h"
@@ -19,11 +21,12 @@ class Tokenizer {
   enum class Joints { none, backslash };
 
   /// Whether a word that begins with a quote goes on to the next one on its line, blanks and all; behind a backslash a
-  /// quote is a letter of it. The word's text has its quotes.
+  /// quote is a letter of it. The word's text has its quotes. A formula in parentheses, which ends on its line, is one word as
+  /// well.
   enum class Quotes { none, names };
 
   /// `text` must outlive the tokenizer and its tokens, and so must `variables`, whose values take the place of words
-  /// that begin with a dollar sign; null for texts without variables.
+  /// that begin with a dollar sign and of formulas; null for texts without variables.
   Tokenizer(const Text& text, Comments comments, Joints joints = Joints::none, Quotes quotes = Quotes::none,
             Variables* variables = nullptr);
 
@@ -37,10 +40,16 @@ class Tokenizer {
   std::size_t BytesLeft() const { return static_cast<std::size_t>(end_ - next_); }
   const Text& Source() const { return text_; }
 
+  /// The formulas so far that have no value. Each stands for 1, so that what is around it can be read.
+  const std::vector<SceneError>& Mistakes() const { return mistakes_; }
+  std::vector<SceneError> TakeMistakes() { return std::exchange(mistakes_, {}); }
+
  private:
   std::optional<Token> Scan();
   std::size_t LengthOfWord() const;
   std::size_t LengthOfQuoted() const;
+  std::size_t LengthOfFormula() const;
+  void Evaluate(Token& token);
   void SkipWhiteSpace();
   bool IsJoint(const char* backslash) const;
   void SkipToLineEnd();
@@ -56,6 +65,7 @@ class Tokenizer {
   bool at_line_start_ = true;
   bool has_peeked_ = false;
   std::optional<Token> peeked_;
+  std::vector<SceneError> mistakes_;
 };
 
 /// An error where the first NUL byte stands; nothing when there is none, as in any text.

@@ -1,6 +1,12 @@
 #include "source/parse/Variables.h"
 
 #include <algorithm>
+#include <stdexcept>
+
+#include "R3/Expression.h"
+#include "source/text/Number.h"
+#include "source/text/NumberText.h"
+#include "source/text/Quoting.h"
 
 namespace ray {
 
@@ -31,6 +37,23 @@ const std::string* Variables::Find(std::string_view name) {
   if (found == values_.end()) return nullptr;
   unused_.erase(found->first);
   return &found->second;
+}
+
+const std::string& Variables::Evaluate(std::string_view formula) {
+  const double value = R3::Evaluate(formula, [&](std::string_view name) {
+    const std::string* text = Find(name);
+    if (name.empty()) throw std::runtime_error("the name of a variable is missing");
+    if (!text) {
+      const std::string word(name);
+      throw std::runtime_error("nothing has defined '$" + word + "'; 'define " + word + " 0.5' does, or -define " + word +
+                               "=0.5");
+    }
+    const auto [number, problem] = ParseNumber(*text);
+    if (problem)
+      throw std::runtime_error("'$" + std::string(name) + "' stands for " + Quoted(*text) + ", which is not a number");
+    return number;
+  });
+  return evaluated_.emplace_back(ToText(value));
 }
 
 }  // namespace ray

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <map>
 #include <set>
 #include <span>
@@ -24,12 +25,16 @@ class Variables {
   void Define(std::string_view name, std::string_view value);
   /// The value, which stays in place; null where there is none.
   const std::string* Find(std::string_view name);
+  /// Returns the value of an arithmetic formula in which $name stands for a variable that is a number, as text that
+  /// stays in place. Throws R3::ExpressionError.
+  const std::string& Evaluate(std::string_view formula);
   /// Names that the command line gives a value and the scene does not use.
   const std::set<std::string>& Unused() const { return unused_; }
 
  private:
   std::map<std::string, std::string, std::less<>> values_;
   std::set<std::string> unused_;
+  std::deque<std::string> evaluated_;
 };
 
 }  // namespace ray

@@ -108,6 +108,7 @@ std::string ScnReader::BytesOf(const FoundFile& file) const {
 
 void ScnReader::CloseFile() {
   OpenFile& file = Current();
+  for (SceneError& error : file.tokens.TakeMistakes()) Error(std::move(error));
   if (const std::size_t open = file.begins.size(); open > 0) {
     const std::string count = open == 1 ? "" : "the innermost of " + std::to_string(open) + " unclosed groups";
     Error(ErrorAt(*file.text, file.begins.back(), std::string(file.begins.back().text) + " without end", count));

@@ -1,5 +1,8 @@
 #include "source/parse/scn/Statement.h"
 
+#include <iterator>
+
+#include "R3/Expression.h"
 #include "source/parse/Coordinate.h"
 #include "source/parse/scn/QuotedName.h"
 #include "source/text/Number.h"
@@ -11,6 +14,17 @@ bool IsLetter(char c) { return ((c | 0x20) >= 'a' && (c | 0x20) <= 'z') || c == 
 
 /// NaN and infinities are meant as numbers, though they look like words.
 bool LooksLikeNumber(std::string_view word) { return word.starts_with("nan") || word.starts_with("inf"); }
+
+/// True if the word would be a formula if it stood in parentheses: "1/2", "$a+1".
+bool IsArithmetic(std::string_view word) {
+  if (word.find_first_of("+-*/^(", 1) == std::string_view::npos) return false;
+  try {
+    R3::Evaluate(word, [](std::string_view) { return 0.5; });
+    return true;
+  } catch (const R3::ExpressionError&) {
+    return false;
+  }
+}
 
 }  // namespace
 
@@ -88,8 +102,17 @@ std::optional<Token> Statement::TakesNumber() {
   return tokens_.Next();
 }
 
+std::vector<SceneError> Statement::Errors() && {
+  std::vector<SceneError> all = tokens_.TakeMistakes();
+  all.insert(all.end(), std::make_move_iterator(errors_.begin()), std::make_move_iterator(errors_.end()));
+  return all;
+}
+
 void Statement::Error(const Token& at, std::string message, std::string hint) {
-  if (hint.empty() && at.text.starts_with('$'))
+  if (at.is_broken) return;
+  if (hint.empty() && IsArithmetic(at.text))
+    hint = "arithmetic stands in parentheses: (" + Escaped(at.text) + ")";
+  else if (hint.empty() && at.text.starts_with('$'))
     hint = "nothing has defined it: 'define " + std::string(at.text.substr(1)) + " 0.5' does, or -define " +
            std::string(at.text.substr(1)) + "=0.5";
   else if (hint.empty() && !at.variable.empty())

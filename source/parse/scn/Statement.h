@@ -59,8 +59,9 @@ class Statement {
   void Error(const Token& at, std::string message, std::string hint = {});
   const Command& What() const { return command_; }
   const Token& CommandWord() const { return word_; }
-  bool IsGood() const { return errors_.empty(); }
-  std::vector<SceneError> Errors() && { return std::move(errors_); }
+  bool IsGood() const { return errors_.empty() && tokens_.Mistakes().empty(); }
+  /// Returns all mistakes, formulas without a value first.
+  std::vector<SceneError> Errors() &&;
 
  private:
   const Command& command_;

@@ -191,7 +191,7 @@ TextEdits WithSetting(const ScnPlaces& places, const std::string& option, const 
     if (CommandOf(places, i) != "set") continue;
     const std::vector<ScnWord> words = WordsOf(places, i);
     if (words.size() < 2 || words[1].text != option) continue;
-    if (words.size() != 3 || words[2].text.starts_with('$'))
+    if (words.size() != 3 || !WhyComputed(words[2].text).empty())
       throw EditRefusal("'set " + option + "' is not a plain number in the file");
     if (words[2].text == value) return {};
     return {{FileOf(places, i).canonical, words[2].begin, words[2].text, value}};
@@ -284,7 +284,7 @@ TextEdits WithCamera(const ScnPlaces& places, const Camera& camera) {
   }
   const std::vector<ScnWord> words = WordsOf(places, *statement);
   for (const ScnWord& word : words)
-    if (word.text.starts_with('$')) throw EditRefusal("the camera has the variable " + word.text);
+    if (const std::string why = WhyComputed(word.text); !why.empty()) throw EditRefusal("the camera: " + why);
   const bool looks_at = words.size() > 1 && words[1].text == "look_at";
   const auto looking = looks_at ? LookAtNumbersOf(camera, words) : std::nullopt;
   if (looks_at && !looking) {
@@ -334,7 +334,7 @@ TextEdits WithTexture(const ScnPlaces& places, std::size_t material, const std::
   const std::vector<ScnWord> words = WordsOf(places, statement);
   if (words.size() <= word_of_texture) throw EditRefusal("the material's line is not whole");
   const ScnWord& word = words[word_of_texture];
-  if (word.text.starts_with('$')) throw EditRefusal(word.text + " is a variable; edit its 'define' in the file");
+  if (const std::string why = WhyComputed(word.text); !why.empty()) throw EditRefusal(why);
   const std::string now = name.empty() || name == "0" ? "0" : QuotedWhereNeeded(name);
   if (now == word.text) return {};
   return {{FileOf(places, statement).canonical, word.begin, word.text, now}};

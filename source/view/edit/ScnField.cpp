@@ -114,7 +114,8 @@ std::vector<ScnField> FieldsOfGroup(const std::vector<ScnWord>& words) {
   constexpr std::size_t placement = 2, entries = 16;  // its first word, and the numbers of a matrix
   const bool is_translation = words.size() > placement + 3 && words[placement].text == "translate";
   if (is_translation) return {{"position", Kind::point, {placement + 1, placement + 2, placement + 3}, {}, {}}};
-  const bool is_matrix = words.size() >= placement + entries && !ParseNumber(words[placement].text).problem;
+  const bool is_matrix = words.size() >= placement + entries && (!ParseNumber(words[placement].text).problem ||
+                                                                 !WhyComputed(words[placement].text).empty());
   if (is_matrix) return {{"position", Kind::point, {placement + 3, placement + 7, placement + 11}, {}, {}}};
   return {};
 }
@@ -142,8 +143,8 @@ void ReadValues(const std::vector<ScnWord>& words, ScnField& field) {
     const auto [value, problem] = ParseNumber(word);
     field.values.push_back(problem ? 0 : value);
     if (!problem || !field.problem.empty()) continue;
-    field.problem = word.starts_with('$') ? word + " is a variable; edit its 'define' in the file"
-                                          : "it is no plain number in the file";
+    field.problem = WhyComputed(word);
+    if (field.problem.empty()) field.problem = "it is no plain number in the file";
   }
 }
 
@@ -155,6 +156,12 @@ std::vector<ScnField> FieldsOf(const ScnPlaces& places, std::uint32_t statement)
   std::vector<ScnField> fields = UnreadFields(CommandOf(places, statement), words);
   for (ScnField& field : fields) ReadValues(words, field);
   return fields;
+}
+
+std::string WhyComputed(const std::string& word) {
+  if (word.starts_with('$')) return word + " is a variable; edit its 'define' in the file";
+  if (word.starts_with('(')) return word + " is a formula; edit it in the file";
+  return {};
 }
 
 std::string CommandOf(const ScnPlaces& places, std::uint32_t statement) {

@@ -23,6 +23,9 @@ struct ScnField {
 /// none of other statements. Those of a group are its position, where its matrix or a first translation says it.
 std::vector<ScnField> FieldsOf(const ScnPlaces& places, std::uint32_t statement);
 
+/// Returns why a word is not edited that stands for a value given elsewhere: "$t is a variable; ...". Empty for others.
+std::string WhyComputed(const std::string& word);
+
 /// The name of the statement's command.
 std::string CommandOf(const ScnPlaces& places, std::uint32_t statement);
 

@@ -125,6 +125,12 @@ TEST_F(EditPanelTest, ExplainsWhatCannotBeEdited) {
   Click("sphere, line 2");
   Click("Scene");
   EXPECT_TRUE(Says("$r is a variable"));
+  std::ofstream(scenes_ / "hello.scn") << "define r 1\nsphere -1 0 0 0 ( $r / 2 )\n";
+  Do("tick 1");
+  Click("Scene");
+  Click("sphere, line 2");
+  Click("Scene");
+  EXPECT_TRUE(Says("( $r / 2 ) is a formula"));
 }
 
 TEST_F(EditPanelTest, AListOfTheFolderOpensScenes) {
