@@ -117,6 +117,7 @@ void Tokenizer::Evaluate(Token& token) {
   } catch (const R3::ExpressionError& error) {
     Token part = token;
     if (is_in_file) {
+      part.variable = {};
       part.text = formula.substr(std::min(error.at, formula.size()), error.length);
       part.column += CountCharacters(formula.substr(0, error.at));
     }
