@@ -1,21 +1,18 @@
 #include "source/grade/Mistake.h"
 
-#include <array>
-
 #include "source/grade/Changes.h"
+#include "source/grade/mistakes/Tables.h"
 
 namespace ray::grade {
 
-#define MISTAKE(name) extern const Mistake name##_mistake;
-#include "source/grade/mistakes.def"
-#undef MISTAKE
-
 std::span<const Mistake* const> Mistakes() {
-  static const std::array mistakes{
-#define MISTAKE(name) &name##_mistake,
-#include "source/grade/mistakes.def"
-#undef MISTAKE
-  };
+  static const std::vector<const Mistake*> mistakes = [] {
+    std::vector<const Mistake*> all;
+    for (const MistakeTable* table : {&shading_mistakes, &lights_mistakes, &rays_mistakes, &geometry_mistakes,
+                                      &camera_mistakes, &left_out_mistakes, &image_mistakes})
+      for (const Mistake& mistake : *table) all.push_back(&mistake);
+    return all;
+  }();
   return mistakes;
 }
 

@@ -34,8 +34,8 @@ class Variant {
   std::optional<Scene> own_;
 };
 
-/// A mistake that students make: one file of mistakes/ and one line of mistakes.def. The engine knows of none; a
-/// mistake is a change of data, and the image of it is rendered as any other.
+/// A mistake that students make: one row of a table of mistakes/. The engine knows of none; a mistake is a change of
+/// data, and the image of it is rendered as any other.
 struct Mistake {
   const char* name;                          // "no_ambient": for tables
   const char* title;                         // "no ambient light": completes "as with"
@@ -45,7 +45,7 @@ struct Mistake {
   void (*make)(Variant& variant) = nullptr;  // makes it of the scene; null where the image is enough
 };
 
-/// Every mistake, in the order of mistakes.def.
+/// Every mistake, in the order of mistakes/Tables.h.
 std::span<const Mistake* const> Mistakes();
 
 }  // namespace ray::grade
