@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "R3/SearchLimit.h"
 #include "R3/shapes/FormulaLanes.h"
 #include "R3/shapes/PlanarUv.h"
 #include "R3/shapes/Span.h"
@@ -11,14 +12,20 @@
 namespace R3 {
 namespace {
 
-/// Whether a formula is below 0 at places of a ray; where it is not defined it is not.
+/// Whether a number of a formula says that a place is inside: 0 or below. NaN, where it is not defined, does not.
+bool IsInside(double value) { return value <= 0; }
+/// Whether bounds on a formula say for all of a stretch that it is inside, or that it is not. Bounds that are no numbers
+/// say nothing.
+bool Decides(const Interval& value) { return value.low > 0 || value.high <= 0; }
+
+/// Whether places of a ray are inside of a formula.
 class InsideTest {
  public:
   InsideTest(const Expression& formula, const Ray& ray) : formula_(formula), ray_(ray) {}
 
   bool operator()(double t) {
     const Point p = ray_.At(t);
-    return formula_.At(p.x, p.y, p.z, values_) < 0;
+    return IsInside(formula_.At(p.x, p.y, p.z, values_));
   }
 
  private:
@@ -37,7 +44,8 @@ class FormulaOnLine {
   std::optional<double> FirstChange(double low, double high, double t_min) {
     shortest_ = 64 * unit_roundoff * std::max(std::abs(low), std::abs(high));
     std::vector<Stretch> waiting{{low, high, is_inside_(low), is_inside_(high), most_divisions, State::undecided}};
-    while (!waiting.empty()) {
+    for (int looked_at = 0; !waiting.empty(); ++looked_at) {
+      if (looked_at % 64 == 63 && SearchLimit::EndsSearches()) return {};
       const Stretch stretch = waiting.back();
       waiting.pop_back();
       if (!(stretch.high > t_min) || stretch.state == State::unchanged) continue;
@@ -95,7 +103,7 @@ class FormulaOnLine {
       return;
     }
     const Lanes& values = lanes_.At(t);
-    for (std::size_t i = 0; i < parts; ++i) is_inside[i] = values.at[i] < 0;
+    for (std::size_t i = 0; i < parts; ++i) is_inside[i] = IsInside(values.at[i]);
   }
 
   /// What intervals say of the formula from each end to the next, the first beginning at `low`. Around the middle, the
@@ -107,7 +115,7 @@ class FormulaOnLine {
     const IntervalLanes& values = lanes_.In(t);
     bool are_decided = true;
     for (std::size_t i = 0; i < parts; ++i) {
-      states[i] = values[i].Holds(0) ? State::undecided : State::unchanged;
+      states[i] = Decides(values[i]) ? State::unchanged : State::undecided;
       are_decided &= states[i] != State::undecided;
     }
     if (are_decided) return;  // most stretches are far from the surface
@@ -124,20 +132,23 @@ class FormulaOnLine {
     for (std::size_t i = 0; i < parts; ++i) middles.Set(i, t[i].low + (t[i].high - t[i].low) / 2);
     const IntervalLanes& at_middles = lanes_.In(middles);
     for (std::size_t i = 0; i < parts; ++i)
-      if (states[i] == State::undecided && !(at_middles[i] + slopes[i] * (t[i] - middles[i])).Holds(0))
+      if (states[i] == State::undecided && Decides(at_middles[i] + slopes[i] * (t[i] - middles[i])))
         states[i] = State::unchanged;
   }
 
   /// A place where the formula changes, by brackets that eight values at a time make narrower: at first evenly, then
-  /// ever closer to where interpolation expects the root, which needs no slopes and ends in four steps or five.
+  /// ever closer to where interpolation expects the root, which needs no slopes and ends in four steps or five. A root
+  /// at 0, where doubles are ever closer to one another, would take hundreds; there the doubles in between are divided,
+  /// of which a ninth is left each time, so that neighbors are found in 21 steps more.
   double ChangeIn(const Stretch& s) {
+    constexpr int usual_steps = 64;
     double low = s.low, high = s.high;
     Lanes t;
     SpreadEvenly(low, high, t);
-    for (;;) {
+    for (int step = 0;; ++step) {
       const Lanes& f = lanes_.At(t);
       std::size_t k = 0;  // the first that is not as the stretch begins
-      while (k < parts && (f.at[k] < 0) == s.begins_inside) ++k;
+      while (k < parts && IsInside(f.at[k]) == s.begins_inside) ++k;
       const double width = high - low;
       if (k > 0) low = t.at[k - 1];
       if (k < parts) high = t.at[k];
@@ -145,13 +156,21 @@ class FormulaOnLine {
       if (high - low <= 2 * rounding || middle == low || middle == high) return middle;
       const bool is_stuck = !(high - low < width / 2);
       const std::size_t first = std::clamp<std::size_t>(k, 2, parts - 1) - 2;
-      if (is_stuck || !SpreadAround(Guess(t, f, first), low, high, t)) SpreadEvenly(low, high, t);
+      if (step >= usual_steps)
+        SpreadAmongDoubles(low, high, t);
+      else if (is_stuck || !SpreadAround(Guess(t, f, first), low, high, t))
+        SpreadEvenly(low, high, t);
     }
   }
 
   static void SpreadEvenly(double low, double high, Lanes& t) {
     const double width = high - low;
     for (std::size_t i = 0; i < parts; ++i) t.at[i] = low + width * (static_cast<double>(i + 1) / (parts + 1));
+  }
+
+  static void SpreadAmongDoubles(double low, double high, Lanes& t) {
+    for (std::size_t i = 0; i < parts; ++i)
+      t.at[i] = AmongDoubles(low, high, static_cast<double>(i + 1) / (parts + 1));
   }
 
   struct Root {
@@ -168,10 +187,11 @@ class FormulaOnLine {
   }
 
   /// Places on both sides of a root, each farther from it by the same factor.
-  ///   returns   false where the root is not between the ends
+  ///   returns   false if the root is not between the ends, or is 0 and known too well for factors
   static bool SpreadAround(const Root& root, double low, double high, Lanes& t) {
     if (!(root.t > low && root.t < high)) return false;
     const double nearest = std::max(root.error, 1.5 * unit_roundoff * std::abs(root.t));
+    if (!(nearest > 0)) return false;
     const auto factor = [&](double reach) { return std::sqrt(std::sqrt(std::max(reach / nearest, 1.0))); };
     const double below = factor(root.t - low), above = factor(high - root.t);
     double down = nearest, up = nearest;
@@ -186,6 +206,9 @@ class FormulaOnLine {
   FormulaLanes lanes_;
   double shortest_ = 0;
 };
+
+/// The direction of a gradient; 0 0 0 if it has none.
+Vector UnitOrZero(const Vector& gradient) { return IsFinite(gradient) ? Unit(gradient) : Vector{}; }
 
 }  // namespace
 
@@ -214,7 +237,7 @@ std::optional<Hit> Implicit::Intersect(const Ray& ray, int) const {
 
 Intersection Implicit::At(const Ray& ray, const Hit& hit, int) const {
   const Point p = ray.At(hit.t);
-  Intersection at = hit.part == surface ? OnSurface(p) : OnFace(p, hit.part);
+  Intersection at = hit.part == surface ? OnSurface(p, ray.direction) : OnFace(p, hit.part);
   SetPlanarUv(at, box_);
   return at;
 }
@@ -235,15 +258,44 @@ Intersection Implicit::OnFace(const Point& p, int face) const {
   return at;
 }
 
-/// The formula's value at the rounded place, as far as intervals know it, over its slope there is how far the surface
-/// may be off; a cube as large on all axes holds it.
-Intersection Implicit::OnSurface(const Point& p) const {
+Vector Implicit::GradientAt(const Point& p) const {
   std::vector<Slope<double>> values;
   const auto slope_along = [&](double x, double y, double z) {
     return formula_.At(Slope<double>(p.x, x), Slope<double>(p.y, y), Slope<double>(p.z, z), values).slope;
   };
-  const Vector gradient{slope_along(1, 0, 0), slope_along(0, 1, 0), slope_along(0, 0, 1)};
-  const Vector unit = IsFinite(gradient) ? Unit(gradient) : Vector{};
+  return {slope_along(1, 0, 0), slope_along(0, 1, 0), slope_along(0, 0, 1)};
+}
+
+/// Ever farther before and behind the surface along the ray, from where coordinates are known to, until there is a
+/// slope: of (f)^3 and of distances as roots of squares it is that of the surface. Where a formula jumps between values
+/// without a slope, differences over the last of these ways show the direction.
+Vector Implicit::DirectionNear(const Point& p, const Vector& way) const {
+  constexpr double least = 4 * unit_roundoff, most = 0x1p-16;  // of the size of the box and its distance
+  const double reach =
+      std::max(MaxComponent(Abs(FromOrigin(box_.low))), MaxComponent(Abs(FromOrigin(box_.high))));
+  const Vector unit = Unit(way);
+  for (double step = least; step <= most; step *= 4)
+    for (const double side : {-1.0, 1.0}) {
+      const Vector direction = UnitOrZero(GradientAt(p + side * step * reach * unit));
+      if (!(direction == Vector{})) return direction;
+    }
+  std::vector<double> values;
+  const auto difference_along = [&](double x, double y, double z) {
+    const Vector half = most * reach * Vector{x, y, z};
+    const Point after = p + half, before = p - half;
+    const double difference =
+        formula_.At(after.x, after.y, after.z, values) - formula_.At(before.x, before.y, before.z, values);
+    return std::isfinite(difference) ? difference : 0;
+  };
+  const Vector direction =
+      UnitOrZero({difference_along(1, 0, 0), difference_along(0, 1, 0), difference_along(0, 0, 1)});
+  return direction == Vector{} ? -unit : direction;
+}
+
+/// The formula's value at the rounded place, as far as intervals know it, over its slope there is how far the surface
+/// may be off; a cube as large on all axes holds it.
+Intersection Implicit::OnSurface(const Point& p, const Vector& way) const {
+  const Vector gradient = GradientAt(p), unit = UnitOrZero(gradient);
   std::vector<Interval> bounds;
   const Interval value = formula_.At(Interval(p.x), Interval(p.y), Interval(p.z), bounds);
   const double off = std::max(std::abs(value.low), std::abs(value.high)) / Length(gradient);
@@ -252,7 +304,7 @@ Intersection Implicit::OnSurface(const Point& p) const {
   Intersection at;
   at.position = p;
   at.error = Vector{error, error, error} + Gamma(4) * Abs(FromOrigin(p));
-  at.normal = at.shading_normal = unit == Vector{} ? Normal{0, 1, 0} : AsNormal(unit);
+  at.normal = at.shading_normal = AsNormal(unit == Vector{} ? DirectionNear(p, way) : unit);
   return at;
 }
 

@@ -6,13 +6,15 @@
 namespace R3 {
 
 /// The solid where a formula is not above 0, cut off by a box: its own surface and, where that leaves the box, the
-/// box's faces. Where the formula is not defined is outside.
+/// box's faces. Where the formula is not defined is outside; where it is 0 in a region, that is inside. Where it has no
+/// slope at the surface, or a slope of 0, the normal is that a little before it along the ray.
 ///
 /// Along a ray, stretches in which interval arithmetic excludes 0 hold no crossing. In stretches in which it excludes 0
 /// for the slope there is one if the signs at the ends differ, and it is found to the last bits. Others are divided in
 /// eight, which are looked at together, and the nearest of these goes first, so that nothing is stepped over: what is
 /// found is proven to be nearest. What cannot be decided before it is as short as rounding, as where a ray touches the
-/// surface, or where the formula jumps, is decided by the signs at its ends.
+/// surface, or where the formula jumps, is decided by the signs at its ends. A ray divides at most 4,681 stretches, and
+/// each root that it looks for takes at most 86 steps.
 ///   source   Moore, Interval Analysis (1966); Mitchell, Robust ray intersection with interval arithmetic (1990)
 class Implicit : public Shape {
  public:
@@ -30,7 +32,11 @@ class Implicit : public Shape {
   static constexpr int surface = 6;
 
   Intersection OnFace(const Point& p, int face) const;
-  Intersection OnSurface(const Point& p) const;
+  /// `way`: the direction of the ray that led to it.
+  Intersection OnSurface(const Point& p, const Vector& way) const;
+  Vector GradientAt(const Point& p) const;
+  /// Returns the unit normal at a place of the surface where the formula has no slope, or a slope of 0.
+  Vector DirectionNear(const Point& p, const Vector& way) const;
 
   Expression formula_;
   Box box_;

@@ -42,7 +42,11 @@ inline Interval Hull(const Interval& a, const Interval& b) {
 }
 
 inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
-inline Interval operator+(const Interval& a, const Interval& b) { return Outward(a.low + b.low, a.high + b.high); }
+/// The interval without what is below 0 if that is known not to be: rounding outward would make a root of it undefined.
+inline Interval NotNegative(bool is_known, const Interval& a) { return {is_known ? std::max(a.low, 0.0) : a.low, a.high}; }
+inline Interval operator+(const Interval& a, const Interval& b) {
+  return NotNegative(a.low >= 0 && b.low >= 0, Outward(a.low + b.low, a.high + b.high));
+}
 inline Interval operator-(const Interval& a, const Interval& b) { return Outward(a.low - b.high, a.high - b.low); }
 inline Interval operator*(const Interval& a, const Interval& b) {
   const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
@@ -102,7 +106,8 @@ inline Interval WholePower(const Interval& a, std::uint32_t n) {
   const auto outward = [&](double power, double sign) {
     return power + sign * std::abs(power) * (4 * n * unit_roundoff);
   };
-  return Outward(outward(R1::WholePower(base.low, n), -1), outward(R1::WholePower(base.high, n), 1));
+  return NotNegative(n % 2 == 0,
+                     Outward(outward(R1::WholePower(base.low, n), -1), outward(R1::WholePower(base.high, n), 1)));
 }
 
 }  // namespace R3

@@ -56,6 +56,22 @@ inline double InversePower(double x) {
   return std::bit_cast<double>(twice_the_bias - std::bit_cast<std::uint64_t>(in_range));
 }
 
+/// Returns the double at a share, in [0, 1], of the doubles from low to high, both finite. A bracket that it divides
+/// ends in neighboring doubles within 64 halvings, whatever its ends, also at 0.
+inline double AmongDoubles(double low, double high, double share) {
+  // Signed numbers in the order of the doubles: those of negative ones are mirrored.
+  const auto number_of = [](double x) {
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
+  };
+  const std::int64_t first = number_of(low), last = number_of(high);
+  const double distance = static_cast<double>(static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first));
+  const auto steps = static_cast<std::uint64_t>(share * distance);
+  const auto number = static_cast<std::int64_t>(static_cast<std::uint64_t>(first) + steps);
+  if (number >= last) return high;
+  return std::bit_cast<double>(number >= 0 ? number : std::numeric_limits<std::int64_t>::min() - number);
+}
+
 /// The next double above x; infinity and NaN stay.
 inline double NextUp(double x) {
   if (!(x < infinity)) return x;

@@ -68,7 +68,7 @@ inline void WholePowerEach(const IntervalLanes& a, std::uint32_t n, IntervalLane
   const double share = 4 * n * unit_roundoff;
   Each(to, [&](std::size_t i) {
     const double low = power.low.at[i], high = power.high.at[i];
-    return Outward(low - std::abs(low) * share, high + std::abs(high) * share);
+    return NotNegative(n % 2 == 0, Outward(low - std::abs(low) * share, high + std::abs(high) * share));
   });
 }
 

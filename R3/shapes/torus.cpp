@@ -27,11 +27,13 @@ double Value(const std::array<Number, size>& c, double x) {
 }
 
 /// Where a polynomial that rises or falls all the way from `low` to `high`, and has other signs there, is zero:
-/// Newton's method, halving the bracket where a step leaves it or is not half of the last one.
+/// Newton's method, halving the bracket where a step leaves it or is not half of the last one; after 64 steps, as of a
+/// root at 0, halving the doubles in it, so that 128 are enough.
 template <typename Number, std::size_t size>
 double RootBetween(const std::array<Number, size>& c, double low, double high, bool rises) {
+  constexpr int most_steps = 128;
   double x = low + (high - low) / 2, step = high - low;
-  for (;;) {
+  for (int steps = 0; steps < most_steps; ++steps) {
     Number sum = c[size - 1];
     double slope = 0;
     for (std::size_t i = size - 1; i-- > 0;) {
@@ -42,11 +44,15 @@ double RootBetween(const std::array<Number, size>& c, double low, double high, b
     if (value == 0) return x;
     ((value < 0) == rises ? low : high) = x;
     double next = x - value / slope;
-    if (!(next > low && next < high && std::abs(next - x) < step / 2)) next = low + (high - low) / 2;
+    if (steps >= most_steps / 2)
+      next = AmongDoubles(low, high, 0.5);
+    else if (!(next > low && next < high && std::abs(next - x) < step / 2))
+      next = low + (high - low) / 2;
     step = std::abs(next - x);
     if (step <= 2 * unit_roundoff * std::abs(x)) return next;
     x = next;
   }
+  return x;
 }
 
 /// Where the polynomial changes its sign in [low, high]. It rises or falls all the way between the roots of its

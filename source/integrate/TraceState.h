@@ -11,6 +11,7 @@
 #include "R2/Color.h"
 #include "R3/Departure.h"
 #include "R3/Ray.h"
+#include "R3/SearchLimit.h"
 #include "source/accelerate/Workspace.h"
 #include "source/accelerate/World.h"
 #include "source/integrate/Arena.h"
@@ -77,6 +78,7 @@ struct TraceState {
   std::vector<R2::Color> arrived;           // at each point
   RayRecorder* recorder = nullptr;          // told of every ray; null for none
   const std::atomic<bool>* stop = nullptr;  // looked at before each few rays; null for none
+  std::optional<R3::SearchLimit::Clock::time_point> deadline;  // likewise
 
   /// Before camera rays are traced, all before being done.
   void Begin() {
@@ -86,7 +88,7 @@ struct TraceState {
   }
 
   /// Then what is being traced is of no use to anybody, and loops may end early.
-  bool IsStopped() const { return stop && stop->load(std::memory_order_relaxed); }
+  bool IsStopped() const { return R3::SearchLimit::IsReached(stop, deadline); }
 
   /// Counts rays of one kind and what the workspace has counted since the last.
   void Count(RayKind kind, std::size_t count) {

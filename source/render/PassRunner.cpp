@@ -61,6 +61,13 @@ int PassRunner::NextTile(int i) {
   return work_.blocks_done ? tiles_begun_++ : i;
 }
 
+// Rays that take milliseconds must not keep a render that is to be over: after half a second any progress is enough.
+std::optional<PassRunner::Clock::time_point> PassRunner::Deadline() const {
+  constexpr auto patience = std::chrono::milliseconds(500);
+  if (!pause_at_ || progress_ == 0) return {};
+  return progress_ >= least_progress_ ? *pause_at_ : *pause_at_ + patience;
+}
+
 void PassRunner::RunTile(int i) {
   if (IsStopped() || IsPauseDue()) return;
   Worker& worker = workers_.local();
@@ -88,6 +95,8 @@ bool PassRunner::Advance(int block, Worker& worker) {
   state.workspace.ForgetLastHits();
   while (!IsAtTarget(block)) {
     if (IsPauseDue()) return false;
+    state.deadline = Deadline();
+    const R3::SearchLimit limit(state.stop, state.deadline);
     const std::uint32_t done = SamplesOf(block), end = std::min(TargetOf(block), StepEnd(done));
     Film::Block next = work_.film[block];
     const RayCounts rays_before = state.rays;
@@ -115,6 +124,8 @@ bool PassRunner::Look(int block, Worker& worker) {
   TraceState& state = worker.state;
   state.workspace.ForgetLastHits();
   const RayCounts rays_before = state.rays;
+  state.deadline = Deadline();
+  const R3::SearchLimit limit(state.stop, state.deadline);
   if (!LookAtPlaces(work_.source, work_.film.PixelsOf(block), targets_->PlacesOf(block), state, worker.batch,
                     work_.film[block].first_samples)) {
     state.rays = rays_before;

@@ -61,7 +61,12 @@ class PassRunner {
 
  private:
   bool IsStopped() const { return work_.stop && work_.stop->load(std::memory_order_relaxed); }
-  bool IsPauseDue() const { return progress_ >= least_progress_ && pause_at_ && Clock::now() >= *pause_at_; }
+  /// When tracing is to end; none before there is anything to show.
+  std::optional<Clock::time_point> Deadline() const;
+  bool IsPauseDue() const {
+    const auto deadline = Deadline();
+    return deadline && Clock::now() >= *deadline;
+  }
   std::uint32_t TargetOf(int block) const { return targets_->samples[static_cast<std::size_t>(block)]; }
   std::uint32_t SamplesOf(int block) const { return work_.film[block].SamplesPerStream(work_.has_two_streams); }
   bool IsAtTarget(int block) const;

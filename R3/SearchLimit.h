@@ -1,0 +1,37 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+
+namespace R3 {
+
+/// The moment or the request that ends long searches of this thread while it is in scope. A search that is cut gives
+/// any answer: whoever sets a limit discards what was traced once it is reached.
+class SearchLimit {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// `stop` outlives this, and is null for none.
+  SearchLimit(const std::atomic<bool>* stop, std::optional<Clock::time_point> deadline)
+      : stop_(stop), deadline_(deadline), outer_(innermost) {
+    innermost = this;
+  }
+  ~SearchLimit() { innermost = outer_; }
+  SearchLimit(const SearchLimit&) = delete;
+
+  static bool IsReached(const std::atomic<bool>* stop, const std::optional<Clock::time_point>& deadline) {
+    return (stop && stop->load(std::memory_order_relaxed)) || (deadline && Clock::now() >= *deadline);
+  }
+  /// Returns true if the innermost limit of the thread is reached; for searches to ask every few microseconds.
+  static bool EndsSearches() { return innermost && IsReached(innermost->stop_, innermost->deadline_); }
+
+ private:
+  static inline thread_local const SearchLimit* innermost = nullptr;
+
+  const std::atomic<bool>* stop_;
+  std::optional<Clock::time_point> deadline_;
+  const SearchLimit* outer_;
+};
+
+}  // namespace R3
