@@ -83,7 +83,6 @@ void World::FlattenGraph() {
 bool World::Enter(const Node& node, GroupTransform& group) {
   const bool does_move = !(node.motion == R3::Vector{});
   if (IsIdentity(node.transform) && !does_move) return true;
-  moves_ |= does_move;
   group.motion = group.motion + frames_[group.frame] * node.motion;
   if (IsSingular(node.transform)) return false;  // the reader has warned
   group.world_from_node = group.world_from_node * node.transform;
@@ -114,6 +113,7 @@ void World::NumberInstances() {
     const int material = node.material == Node::inherit ? next.material : node.material;
     if (node.shape) {
       flat.instance = static_cast<std::int32_t>(instances_.size());
+      moves_ |= !(motions_[flat.frame] == R3::Vector{});
       const bool is_bounded = node.shape->IsBounded();
       if (!is_bounded) unbounded_.push_back(static_cast<std::uint32_t>(flat.instance));
       instances_.push_back({.shape = node.shape.get(),

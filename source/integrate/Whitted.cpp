@@ -149,6 +149,7 @@ void Whitted::AddLight(const LightSource& light, std::uint64_t which, std::span<
       AddSample(light, p, i, {}, 1, state);
       continue;
     }
+    if (!light.MayShineOn(p)) continue;
     // One light's samples from all of a pixel's camera rays are one set of points.
     const Points random = p.path.index.PointsFor(which, settings_.sampler, settings_.samples, count);
     for (std::uint32_t k = 0; k < count && !state.IsStopped(); k += LightSamples::most)

@@ -48,6 +48,8 @@ class Light {
   /// Illuminate for many points at once, with bit-identical results: fills in what each sample's point gets from the
   /// place that its u and v pick.
   virtual void IlluminateEach(LightSamples& samples) const;
+  /// Returns false only if Illuminate gives `p` nothing, or black, whatever place is picked.
+  virtual bool MayShineOn(const R3::Point& /*p*/) const { return true; }
 
   /// Whether it has an area, so that several samples are worth their rays.
   virtual bool IsExtended() const { return false; }

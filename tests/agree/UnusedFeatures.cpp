@@ -64,6 +64,11 @@ TEST(UnusedFeatures, StatementsWithoutEffectChangeNeitherKernelsNorBits) {
        Scene(diffuse, "area_light 0 0 0  1 5 1  0 -1 0  2  1 0 0\n", "point_light 3 3 3  0 4 2  0 0 0.2"), point},
       {"groups that turn nothing", Scene(diffuse, "begin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\nend\n", area_light),
        plain},
+      {"a motion of an empty group", Scene(diffuse, "begin -1 motion 1 0 0 end\n", area_light), plain},
+      {"a motion of groups that are all empty",
+       Scene(diffuse, "begin -1 translate 1 2 3 motion 0 1 0 begin -1 begin 1 scale 2 end end end\n", area_light), plain},
+      {"a motion of what cannot be seen", Scene(diffuse, "begin -1 scale 0 motion 1 0 0 sphere 0 0 0 0 1 end\n", area_light),
+       plain},
   };
   for (const Statement& s : statements) {
     const project::Stage stated(project::FromText(s.stated)), without(project::FromText(s.plain));
@@ -93,6 +98,18 @@ TEST(UnusedFeatures, AnAreaLightWithoutAreaTakesOneShadowRay) {
     many.trace.shadow_samples = 64;
     ExpectAlike(stage, many, stage, Small(mode), mode);
     EXPECT_EQ(project::Render(stage, many).rays, project::Render(stage, Small(mode)).rays) << mode;
+  }
+}
+
+// It took 16 places at each point and dropped them all.
+TEST(UnusedFeatures, ALightThatShinesAwayAddsNeitherRaysNorLight) {
+  const project::Stage plain(project::FromText(Scene(diffuse, "", area_light)));
+  for (const char* dark : {"area_light 1 1 1  3 -3 2  0 -1 0  .3  1 0 0", "area_light 1 1 1  0 9 0  .1 1 0  2  1 0 0",
+                           "sphere_light 1 1 1  0 0 0  100  1 0 0"}) {
+    const project::Stage stated(project::FromText(Scene(diffuse, "", area_light + "\n" + dark)));
+    const auto image = project::Render(stated, Small("whitted")), without = project::Render(plain, Small("whitted"));
+    EXPECT_TRUE(image.image == without.image) << dark;
+    EXPECT_EQ(image.rays, without.rays) << dark;
   }
 }
 

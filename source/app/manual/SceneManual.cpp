@@ -58,7 +58,7 @@ constexpr const char* lexical =
 constexpr const char* placing =
     "A matrix has 16 numbers, row by row, and moves points written as columns: the fourth column is the translation. "
     "Its last row is 0 0 0 1. Groups may hold groups; what is inside is placed by the inner matrix first.\n"
-    "Instead of a matrix, begin takes words, each of which moves what the words behind it have placed: begin -1 "
+    "Instead of a matrix, begin takes words, or none at all, each of which moves what the words behind it have placed: begin -1 "
     "translate 0 1 0 rotate 45 0 1 0 scale 2 makes its shapes twice as large, turns them by 45 degrees about the y "
     "axis, counter-clockwise seen from above, and then lifts them by 1. look_at brings the origin to ex ey ez and "
     "turns the z axis towards the point tx ty tz, y as near to ux uy uz as it can be.\n"

@@ -21,6 +21,7 @@ class SceneLight : public LightSource {
   std::optional<LightSample> Sample(const ShadingPoint& p, const R2::Point& u) const override {
     return light_.Illuminate(p.free_point, u);
   }
+  bool MayShineOn(const ShadingPoint& p) const override { return light_.MayShineOn(p.free_point); }
   const Light* OfScene() const override { return &light_; }
   bool IsExtended() const override { return light_.IsExtended(); }
   bool IsInfinite() const override { return light_.Bound().is_infinite; }

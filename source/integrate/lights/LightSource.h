@@ -21,6 +21,8 @@ class LightSource {
   /// What arrives at a point from the place on the light that `u`, in [0, 1)^2, picks, if nothing is in between.
   /// Nothing where the light does not shine, or lies on the same primitive and does not light itself.
   virtual std::optional<LightSample> Sample(const ShadingPoint& p, const R2::Point& u) const = 0;
+  /// Returns false only if Sample gives the point nothing, or black, for all `u`.
+  virtual bool MayShineOn(const ShadingPoint& /*p*/) const { return true; }
   /// Makes Sample, bit for bit, of many points at once: the ways to the light, the irradiance, black where there is
   /// none, and the pdfs.
   ///   returns   false, with nothing made, where the light has no loops for that

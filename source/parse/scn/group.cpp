@@ -56,9 +56,10 @@ bool IsWordForMatrix(const std::optional<Token>& next) {
   return next && !BeginsStatement(*next) && ParseNumber(next->text).problem && !SaysNanOrInfinity(next->text);
 }
 
-/// 16 numbers, as in the course; or words, an extension.
+/// Reads 16 numbers, as in the course; or words, an extension, of which there may be none.
 R3::Matrix ReadMatrix(Statement& statement) {
-  if (BeginsPlacement(statement)) return ReadPlacement(statement);
+  const std::optional<Token>& next = statement.Peek();
+  if (BeginsPlacement(statement) || !next || BeginsStatement(*next)) return ReadPlacement(statement);
   if (IsWordForMatrix(statement.Peek())) {
     RefusePlacement(statement);
     throw Statement::Incomplete{};

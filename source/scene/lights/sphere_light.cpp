@@ -34,6 +34,8 @@ class SphereLight : public Light {
     return LightSample{2 * one_minus_cosine * relative * relative * falloff_(color_, distance), distance * direction};
   }
 
+  bool MayShineOn(const R3::Point& p) const override { return Length(center_ - p) > radius_; }
+
   bool IsExtended() const override { return radius_ > 0; }
   LightBound Bound() const override { return falloff_.BoundOf(color_, center_, radius_); }
   bool IsBlack() const override { return R2::IsBlack(color_); }

@@ -52,6 +52,45 @@ TEST(Lights, WhatArrivesIsFiniteFromFarAndNear) {
   }
 }
 
+/// Whether any of many places on the light gives p light.
+bool Shines(const Light& light, const R3::Point& p) {
+  const RandomKey key(11);
+  for (std::uint64_t i = 0; i < 64; ++i) {
+    const auto sample = light.Illuminate(p, {key.Child(i).Number(), key.Child(i).Child(1).Number()});
+    if (sample && !IsBlack(sample->irradiance)) return true;
+  }
+  return false;
+}
+
+// Points around the light, most of them close to the plane of its disc or the surface of its sphere.
+TEST(Lights, NeverShineWhereTheySayTheyDoNot) {
+  const RandomKey key(7);
+  int dark = 0, lit = 0;
+  for (const char* kind : {"area_light", "sphere_light"})
+    for (std::uint64_t i = 0; i < 20'000; ++i) {
+      std::uint64_t next = 0;
+      const auto number = [&] { return 2 * key.Child(i).Child(next++).Number() - 1; };
+      const double size = std::exp2(60 * number()), radius = size * std::exp2(20 * number());
+      const R3::Point center{size * number(), size * number(), size * number()};
+      const R3::Vector direction{number(), number(), number()}, aside{number(), number(), number()};
+      const bool is_sphere = std::string(kind) == "sphere_light";
+      const auto light = is_sphere ? Make(kind, {1, 1, 1, center.x, center.y, center.z, radius, 1, 0, 0})
+                                   : Make(kind, {1, 1, 1, center.x, center.y, center.z, direction.x, direction.y,
+                                                 direction.z, radius, 1, 0, 0});
+      const R3::Vector in_plane = Cross(Unit(direction), aside);
+      const double off = std::exp2(-30 + 30 * number()) * (i % 2 ? 1 : -1);
+      const R3::Point p = is_sphere ? center + (1 + off) * radius * Unit(aside)
+                                    : center + 3 * radius * (in_plane + off * Unit(direction));
+      if (light->MayShineOn(p))
+        ++lit;
+      else
+        EXPECT_FALSE(Shines(*light, p)) << kind << " " << i;
+      dark += !light->MayShineOn(p);
+    }
+  EXPECT_GT(dark, 15'000);
+  EXPECT_GT(lit, 15'000);
+}
+
 TEST(Lights, BatchedSamplesEqualSingleOnesBitForBit) {
   const RandomKey key(5);
   for (const LightKind* kind : LightKinds()) {

@@ -50,6 +50,14 @@ TEST(Placing, WordsInARowAreGroupsWithinGroups) {
             (R3::Point{0, 1, -2}));
 }
 
+// Any number of words may place a group, and none is a number too.
+TEST(Placing, AGroupWithoutWordsStandsWhereItsParentDoes) {
+  EXPECT_EQ(Placed(""), R3::Matrix());
+  for (const char* scene : {"begin -1 end", "begin -1\nend", "begin -1\n# a comment\n\nmotion 1 0 0 end",
+                            "begin -1 begin -1 sphere -1 0 0 0 1 end end"})
+    EXPECT_EQ(ParseText(scene).scene.root.children.at(0).transform, R3::Matrix()) << scene;
+}
+
 TEST(Placing, LookAtTurnsTheZAxisToItsTarget) {
   const R3::Matrix frame = Placed("look_at 1 2 3  1 2 13  0 1 0");
   EXPECT_EQ(frame, Placed("1 0 0 1  0 1 0 2  0 0 1 3  0 0 0 1"));
