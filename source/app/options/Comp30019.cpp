@@ -73,6 +73,8 @@ std::span<const OptionKind> CourseOptions() {
        "focus distance of the lens"},
       {"q, --quality", raypro, {}, {}, {"n"}, Whole{AT(course.quality), 0, best_quality}, "", "",
        "each level halves the noise of soft shadows, ambient light and the lens"},
+      {"one_sided, --one-sided", raypro, {}, {}, {}, Flag{AT(course.one_sided)}, "", "",
+       "rays hit surfaces from their front only, except glass"},
   };
   return table;
 }
@@ -80,16 +82,18 @@ std::span<const OptionKind> CourseOptions() {
 
 /// "-x, --aa-mult"
 std::string NamesOf(const OptionKind& option) { return std::string("-") + option.name; }
-std::string LetterOf(const OptionKind& option) { return {option.name[0]}; }
-std::string LongNameOf(const OptionKind& option) { return std::string(option.name).substr(std::strlen("x, ")); }
+/// What stands before the comma: a letter, or raypro's own word.
+std::string ShortNameOf(const OptionKind& option) { return std::string(option.name, std::strcspn(option.name, ",")); }
+std::string LongNameOf(const OptionKind& option) { return std::strstr(option.name, "--"); }
 
 bool IsFile(const OptionKind& option) { return std::holds_alternative<FileName>(option.value); }
 
 const OptionKind& Known(const std::string& word) {
-  const std::string name = SplitOption(word).name;
+  std::string name = SplitOption(word).name;
   const bool is_long = word.starts_with("--");
+  if (is_long) std::ranges::replace(name, '_', '-');
   for (const OptionKind& option : CourseOptions())
-    if (is_long ? "--" + name == LongNameOf(option) : name == LetterOf(option)) return option;
+    if (is_long ? "--" + name == LongNameOf(option) : name == ShortNameOf(option)) return option;
   std::vector<std::string> names{"--help"};
   for (const OptionKind& option : CourseOptions()) names.push_back(LongNameOf(option));
   throw UsageError("unknown option " + Quoted(word) + DidYouMean(word, names) + " (--help lists them all)");
@@ -146,6 +150,7 @@ std::vector<std::string> RayprosWords(const Asked& asked) {
                                  "-samples=" + std::to_string(samples_a_side * samples_a_side),
                                  "-shadow_samples=" + std::to_string(shadow_samples)};
   if (asked.ambient) words.insert(words.end(), {"-mode=path", "-lights=all"});
+  if (asked.one_sided) words.push_back("-one_sided");
   if (is_lens) words.insert(words.end(), {"-aperture=" + ToText(asked.aperture), "-focus=" + ToText(asked.focus)});
   words.insert(words.end(), {"--", asked.file, asked.output});
   return words;

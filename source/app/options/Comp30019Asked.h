@@ -10,7 +10,7 @@ namespace ray::comp30019 {
 struct Asked {
   std::string file, output;
   int width = 400, height = 400, samples_a_side = 1, quality = 0;
-  bool ambient = false;
+  bool ambient = false, one_sided = false;
   R3::Vector position{0, 0, 0}, axis{0, 0, 1};
   double angle = 0, aperture = 0, focus = 1;  // the angle in degrees
 };

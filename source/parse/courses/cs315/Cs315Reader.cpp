@@ -81,6 +81,7 @@ void Cs315Reader::ReadCamera(Mapping& scene) {
   const double aspect = camera->Number({"aspect"}, positive, 1);
   if (const auto radius = camera->Find({"aperture"}))
     if (const auto lens = radius->Number(not_negative)) Set("aperture", ToText(*lens), &radius->What());
+  exposure_time_ = camera->Number({"exposureTime"}, not_negative, exposure_time_);
   for (Mapping* mapping : {&scene, &*camera})  // students' programs read it from either
     if (const auto depth = mapping->Find({"focal_depth"}))
       if (const auto focus = depth->Number(positive)) Set("focus", ToText(*focus), &depth->What());
@@ -169,16 +170,15 @@ void Cs315Reader::ReadSurface(const Field& field) {
   const int used = is_known ? materials_[static_cast<std::size_t>(*index)] : 0;
   std::optional<R3::Matrix> transform;
   if (const auto transforms = surface.Find({"transforms"})) transform = ReadTransforms(*transforms);
-  // While the shutter is open a unit of time passes.
-  const R3::Vector velocity = surface.Vector({"velocity"}).value_or(R3::Vector{});
+  const R3::Vector way = exposure_time_ * surface.Vector({"velocity"}).value_or(R3::Vector{});
   if (*name == "csg")
-    return objects_.AddCsg(surface, "surfaces", transform, velocity, used,
+    return objects_.AddCsg(surface, "surfaces", transform, way, used,
                            [this](const Field& part) { ReadSurface(part); });
   const Material& look = Made().materials[static_cast<std::size_t>(used)];
   const bool has_texture = look.texture || look.bump || look.normal_map;
   auto placed = ReadShape(*name, surface, has_texture);
   surface.Finish();
-  if (placed && surface.IsGood()) objects_.Add(surface, std::move(*placed), transform, velocity, used);
+  if (placed && surface.IsGood()) objects_.Add(surface, std::move(*placed), transform, way, used);
 }
 
 std::optional<PlacedShape> Cs315Reader::ReadShape(const std::string& name, Mapping& surface, bool has_texture) {

@@ -31,6 +31,7 @@ class Cs315Reader {
 
   DocumentReport report_;
   ObjectReader objects_;
+  double exposure_time_ = 1;    // while which the shutter is open, in the unit of velocities
   std::vector<int> materials_;  // of the file, as indices into Scene::materials
 };
 

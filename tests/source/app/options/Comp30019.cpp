@@ -58,6 +58,14 @@ TEST(Comp30019CommandLine, EveryOptionHasALongAndAShortName) {
   }
 }
 
+TEST(Comp30019CommandLine, OneSidedIsKnownInRayprosSpellingToo) {
+  EXPECT_FALSE(AskedOfCourse({}).parse.one_sided);
+  for (const char* word : {"-one_sided", "--one_sided", "--one-sided"})
+    EXPECT_TRUE(AskedOfCourse({word, "-w", "300"}).parse.one_sided) << word;
+  EXPECT_NE(CourseErrorOf({"-one_sided=1"}), "");
+  EXPECT_NE(CourseErrorOf({"-one"}), "");
+}
+
 TEST(Comp30019CommandLine, HIsTheHeightAndNotHelp) { EXPECT_EQ(AskedOfCourse({"-h", "300"}).render.height, 300); }
 
 TEST(Comp30019CommandLine, HelpIsAnsweredWhateverElseIsThere) {

@@ -90,6 +90,47 @@ TEST(Cs315, SurfacesMoveWhileTheShutterIsOpen) {
   EXPECT_EQ(Depth(scene, {.origin = {3, 0, 5}, .direction = {0, 0, -1}, .time = 1}), 4);
 }
 
+TEST(Cs315, TheCamerasExposureTimeSaysHowLongTheyMove) {
+  const auto way_in = [](const std::string& time) {
+    std::string view = camera;
+    view.insert(view.size() - 1, ", 'exposureTime': " + time);
+    const Scene scene = Cs315("'materials': [{}], 'surfaces': [{'shape': 'Sphere', 'center': [0, 0, 0], 'radius': 1, "
+                              "'material': 0, 'velocity': [3, 0, -1]}]", view).scene;
+    return scene.root.children.at(0).motion;
+  };
+  EXPECT_EQ(way_in("1"), (R3::Vector{3, 0, -1}));
+  EXPECT_EQ(way_in("0.5"), (R3::Vector{1.5, 0, -0.5}));
+  EXPECT_EQ(way_in("0"), (R3::Vector{}));
+  EXPECT_ANY_THROW(way_in("-1"));
+}
+
+// An independent blend by barycentric coordinates, from either side.
+TEST(Cs315, NormalsOfATrianglesCornersAreBlended) {
+  for (const auto& [a, b, c] : {std::array{"'n0'", "'n1'", "'n2'"}, {"'n1'", "'n2'", "'n3'"}}) {
+    const std::string normals = ", " + std::string(a) + ": [-2, 0, 2], " + b + ": [1, 0, 1], " + c + ": [0, 1, 1]";
+    const ParsedScene parsed = WithSurface(
+        "{'shape': 'Triangle', 'p1': [0, 0, 0], 'p2': [3, 0, 0], 'p3': [0, 3, 0], 'material': 0" + normals + "}");
+    EXPECT_TRUE(parsed.warnings.empty()) << parsed.warnings.front();
+    const World world(parsed.scene);
+    Workspace workspace;
+    const auto accelerator = FindAcceleratorKind("none")->Make(world, {});
+    for (const double z : {5, -5}) {
+      const R3::Ray ray{.origin = {0.6, 1.5, z}, .direction = {0, 0, -z}};
+      const auto hit = accelerator->Intersect(ray, workspace);
+      ASSERT_TRUE(hit);
+      const double u = 0.2, v = 0.5, w = 1 - u - v;
+      const R3::Vector blend = w * R3::Vector{-2, 0, 2} + u * R3::Vector{1, 0, 1} + v * R3::Vector{0, 1, 1};
+      const auto n = world.At(ray, *hit).shading_normal;
+      EXPECT_NEAR(std::abs(Dot(Unit(blend), R3::Vector{n.x, n.y, n.z})), 1, 1e-12) << a << " " << z;
+    }
+  }
+}
+
+TEST(Cs315, NormalsOfATriangleAreAllThereOrNone) {
+  EXPECT_ANY_THROW(WithSurface("{'shape': 'Triangle', 'p1': [0, 0, 0], 'p2': [3, 0, 0], 'p3': [0, 3, 0], "
+                               "'material': 0, 'n0': [0, 0, 1], 'n1': [0, 0, 1]}"));
+}
+
 TEST(Cs315, AFocalDepthAtTheTopCountsAsTheCameras) {
   EXPECT_EQ(ValueOf(Cs315("'focal_depth': 7").scene, "focus"), "7");
 }
