@@ -10,7 +10,7 @@ namespace ray {
 namespace {
 
 using Corners = std::vector<R3::Point>;
-using Normals = std::vector<R3::Normal>;
+using CornerNormals = std::vector<R3::Normal>;
 using Spellings = std::vector<std::vector<std::string_view>>;  // each with a key for every corner
 
 /// By the spelling of which most keys are there, the first of equals: it says what it lacks.
@@ -28,7 +28,7 @@ std::optional<Corners> ReadCorners(Mapping& object, const Spellings& spellings) 
 
 /// Corners of a flat mesh, its texture spread from corner to corner, and its normals if it has any.
 std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::vector<R2::Point> uvs,
-                                  Normals normals = {}) {
+                                  CornerNormals normals = {}) {
   if (const char* const fault = FaultOfPolygon(corners))
     object.Reporter().Warn(object.What().extent, std::string("this shape ") + fault);
   const auto cuts = Triangulate(corners);
@@ -43,7 +43,8 @@ std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::
   data.uvs = std::move(uvs);
   data.normals = std::move(normals);
   data.is_one_polygon = true;
-  auto mesh = std::make_shared<const R3::Mesh>(std::move(data));
+  const bool is_smooth = !data.normals.empty();
+  auto mesh = std::make_shared<const R3::Mesh>(std::move(data), is_smooth);
   if (mesh->IsDegenerate()) {
     object.Reporter().Error(object.What(), "has no area: its corners are on one line");
     return {};
@@ -66,10 +67,10 @@ std::optional<std::vector<R2::Point>> ReadUvs(Mapping& object) {
 }
 
 /// Returns the normals of a triangle's corners, of any length; none if it names none.
-Normals ReadNormals(Mapping& object) {
+CornerNormals ReadNormals(Mapping& object) {
   static const Spellings spellings{{"n0", "n1", "n2"}, {"n1", "n2", "n3"}};
   if (!object.Has({"n0", "n1", "n2", "n3"})) return {};
-  Normals normals;
+  CornerNormals normals;
   for (const R3::Point& n : ReadCorners(object, spellings).value_or(Corners{})) normals.push_back({n.x, n.y, n.z});
   return normals;
 }
@@ -152,7 +153,7 @@ std::optional<PlacedShape> ReadTriangle(ObjectReader&, Mapping& object, const Ob
                                    {"corner1", "corner2", "corner3"}};
   const auto uvs = ReadUvs(object);
   const auto corners = ReadCorners(object, spellings);
-  Normals normals = ReadNormals(object);
+  CornerNormals normals = ReadNormals(object);
   if (!corners || !object.IsGood()) return {};
   return MeshOf(object, *corners, uvs.value_or(std::vector<R2::Point>{{0, 0}, {1, 0}, {0, 1}}), std::move(normals));
 }

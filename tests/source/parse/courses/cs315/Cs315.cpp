@@ -118,8 +118,8 @@ TEST(Cs315, NormalsOfATrianglesCornersAreBlended) {
       const R3::Ray ray{.origin = {0.6, 1.5, z}, .direction = {0, 0, -z}};
       const auto hit = accelerator->Intersect(ray, workspace);
       ASSERT_TRUE(hit);
-      const double u = 0.2, v = 0.5, w = 1 - u - v;
-      const R3::Vector blend = w * R3::Vector{-2, 0, 2} + u * R3::Vector{1, 0, 1} + v * R3::Vector{0, 1, 1};
+      const double h = std::numbers::sqrt2 / 2, u = 0.2, v = 0.5, w = 1 - u - v;
+      const R3::Vector blend = w * R3::Vector{-h, 0, h} + u * R3::Vector{h, 0, h} + v * R3::Vector{0, h, h};
       const auto n = world.At(ray, *hit).shading_normal;
       EXPECT_NEAR(std::abs(Dot(Unit(blend), R3::Vector{n.x, n.y, n.z})), 1, 1e-12) << a << " " << z;
     }
