@@ -13,6 +13,7 @@
 #include "source/app/report/Advice.h"
 #include "source/app/report/Check.h"
 #include "source/app/report/Info.h"
+#include "source/app/report/Resources.h"
 #include "source/app/report/Messages.h"
 #include "source/render/PixelTrace.h"
 #include "source/text/Words.h"
@@ -69,7 +70,7 @@ std::string OfBuiltScene(const Options& asked, const Tell& tell) {
 }
 
 std::string AdviceOn(const World& world, const Accelerator& accelerator, const Options& options) {
-  return Advice(world, accelerator, options.render);
+  return Advice(world, accelerator, options, CpuSeconds());
 }
 
 std::string RaysOfPixel(const World& world, const Accelerator& accelerator, const Options& options) {

@@ -75,6 +75,15 @@ DenoisedPicture DenoisedRegion(const Film& film, const Film& all, const Guides& 
 
 }  // namespace
 
+DenoisedPicture DenoiseFilm(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                            const Film& film) {
+  const Film all = film.WithSurroundings();
+  WorkMeter meter;
+  const auto in_proportion = [](std::uint64_t) { return std::optional<Refinement>(); };
+  const GatheredGuides gathered = GatherGuides(world, accelerator, settings, all, in_proportion, meter);
+  return DenoisedRegion(film, all, gathered.guides, DenoiseFilters(settings.denoiser, settings.threads), meter);
+}
+
 void DenoiseResult(const World& world, const Accelerator& accelerator, const RenderSettings& settings, const Film& film,
                    const ErrorMeasure& measure, std::optional<Clock::time_point> end_of_guides,
                    const RenderMonitor& monitor, RenderResult& result) {

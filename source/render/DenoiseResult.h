@@ -6,9 +6,14 @@
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
 #include "source/film/Film.h"
+#include "source/film/denoise/Denoise.h"
 #include "source/render/Render.h"
 
 namespace ray {
+
+/// Filters the region of a film that has both parts. Guides are refined in proportion to the samples.
+DenoisedPicture DenoiseFilm(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                            const Film& film);
 
 /// Filters the picture of a render that is complete, from its film, and measures what error is left; adds the rays that
 /// took. Guides are refined in proportion to the samples, or, where they have an end, by as many rays as there is time

@@ -9,9 +9,10 @@ ErrorMeasure MeasureFor(const RenderSettings& settings) {
           settings.srgb};
 }
 
-PassHistory::PassHistory(const RenderSettings& settings, const Film& film, bool is_watched)
+PassHistory::PassHistory(const RenderSettings& settings, const Film& film, bool is_watched, const ErrorMeasure& measure)
     : settings_(settings),
       film_(film),
+      measure_(measure),
       are_counted_(settings.budget.IsOpen() || settings.wants_passes || settings.replay || is_watched) {}
 
 void PassHistory::Resume(std::vector<Pass> passes, BlockErrors differences) {
@@ -52,9 +53,8 @@ std::optional<ErrorEstimate> PassHistory::Finish(bool have_come, const UnseenLig
 }
 
 std::optional<MeasuredError> PassHistory::Measure(const UnseenLight& unseen) const {
-  const ErrorMeasure measure = MeasureFor(settings_);
-  auto measured = MeasureError(film_, measure, &differences_);
-  if (measured) AllowFor(unseen, measure, *measured);
+  auto measured = MeasureError(film_, measure_, &differences_);
+  if (measured) AllowFor(unseen, measure_, *measured);
   return measured;
 }
 

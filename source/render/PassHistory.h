@@ -16,7 +16,7 @@ ErrorMeasure MeasureFor(const RenderSettings& settings);
 class PassHistory {
  public:
   /// `is_watched`: someone sees the image after each pass. The first two must outlive this.
-  PassHistory(const RenderSettings& settings, const Film& film, bool is_watched);
+  PassHistory(const RenderSettings& settings, const Film& film, bool is_watched, const ErrorMeasure& measure);
 
   const std::vector<Pass>& Passes() const { return passes_; }
   /// Errors of blocks after the last pass that was measured.
@@ -40,6 +40,7 @@ class PassHistory {
 
   const RenderSettings& settings_;
   const Film& film_;
+  const ErrorMeasure measure_;
   const bool are_counted_;
   std::vector<Pass> passes_;
   BlockErrors differences_;

@@ -72,7 +72,7 @@ class Job {
         source_{integrator, camera_, RandomKey(settings.seed), settings.clamp == Clamp::samples},
         film_(EmptyFilmOf(settings)),
         schedule_(settings, {film_.Columns(), film_.AreasInRegion()}, settings.wants_passes || monitor.pass_done),
-        history_(settings, film_, static_cast<bool>(monitor.pass_done)),
+        history_(settings, film_, static_cast<bool>(monitor.pass_done), MeasureFor(settings)),
         progress_(settings, film_, BlocksOfOthers(settings, film_)),
         runner_({source_, film_, HasTwoStreams(settings), settings.threads, settings.tile_size, monitor.stop,
                  [this](std::int64_t pixels, const RayCounts& rays) {

@@ -100,7 +100,6 @@ struct RenderSettings {
   std::optional<ImagePart> part;  // of which alone blocks are rendered, see RenderPart
   bool denoise = false;           // filter the picture of light once it is complete; takes two streams
   Denoiser denoiser = Denoiser::regression;
-  bool denoises_beyond_crop = true;  // false, to learn what it costs: the crop is denoised as if it were all
   double flare = 0;  // how bright lens flares are that are added to the finished picture, see AddFlare; 0: none
   bool srgb = false;                 // the picture will be sRGB encoded, so display errors are counted after that
   bool wants_passes = false;         // measure the error pass by pass, to see it fall
@@ -138,7 +137,7 @@ inline bool SamplesWhereNeighborsDiffer(const RenderSettings& settings) {
 /// too.
 inline int SurroundingsOf(const RenderSettings& settings) {
   if (HasSamplesWhereNeighborsDiffer(settings)) return BlockOrder::side + Filter(settings.filter).Apron();
-  return settings.denoise && settings.denoises_beyond_crop ? denoise_reach : 0;
+  return settings.denoise ? denoise_reach : 0;
 }
 /// The part that is rendered and, as far as there is a picture, what is made around it.
 inline PixelRectangle MadeRegionOf(const RenderSettings& settings) {

@@ -66,9 +66,10 @@ TEST(UnusedFeatures, StatementsWithoutEffectChangeNeitherKernelsNorBits) {
        plain},
       {"a motion of an empty group", Scene(diffuse, "begin -1 motion 1 0 0 end\n", area_light), plain},
       {"a motion of groups that are all empty",
-       Scene(diffuse, "begin -1 translate 1 2 3 motion 0 1 0 begin -1 begin 1 scale 2 end end end\n", area_light), plain},
-      {"a motion of what cannot be seen", Scene(diffuse, "begin -1 scale 0 motion 1 0 0 sphere 0 0 0 0 1 end\n", area_light),
+       Scene(diffuse, "begin -1 translate 1 2 3 motion 0 1 0 begin -1 begin 1 scale 2 end end end\n", area_light),
        plain},
+      {"a motion of what cannot be seen",
+       Scene(diffuse, "begin -1 scale 0 motion 1 0 0 sphere 0 0 0 0 1 end\n", area_light), plain},
   };
   for (const Statement& s : statements) {
     const project::Stage stated(project::FromText(s.stated)), without(project::FromText(s.plain));

@@ -4,14 +4,15 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
-#include "source/render/RenderSettings.h"
+#include "source/app/options/Options.h"
 
 namespace ray {
 
-/// What -advise prints: renders parts of the image for some seconds, with the settings asked for and with others that
-/// suit the scene, and tells of each how noisy the image would be at 16 samples per pixel, how long that takes and how
-/// long it takes to get below an error (that of -error, or 2/255); then which options to add. Errors are as those of
-/// MeasureError, over a few squares of 32x32 pixels, and taken to fall as the root of the samples.
-std::string Advice(const World& world, const Accelerator& accelerator, const RenderSettings& render);
+/// Returns what -advise prints. Renders parts of the image for some seconds, as -error would, with the settings asked
+/// for and with others that suit the scene; forecasts of each after how many samples and seconds the image claims the
+/// error asked for, by default 2/255; and recommends the fastest.
+///   seconds_to_start   of one processor, that a render of the scene takes until its first ray
+std::string Advice(const World& world, const Accelerator& accelerator, const Options& options,
+                   double seconds_to_start);
 
 }  // namespace ray

@@ -2,66 +2,275 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
 
 #include "source/app/report/Resources.h"
-#include "source/render/Render.h"
+#include "source/film/denoise/DenoisedError.h"
+#include "source/integrate/lights/Caustics.h"
+#include "source/render/DenoiseResult.h"
+#include "source/render/PassHistory.h"
+#include "source/render/PassRunner.h"
+#include "source/render/RenderInputs.h"
 
 namespace ray {
 namespace {
 
-// Four by four blocks, so that a filter of noise sees about what it would see in the whole image.
-constexpr int side = 32;
+constexpr int block_side = Film::block_side;
+constexpr std::uint32_t first_filtered = 2;  // samples per pixel and stream; of fewer, claims are mere guesses
 
-/// The squares to probe, all of them different; fewer than `most` where the image has no more.
-std::vector<PixelRectangle> SquaresOf(const PixelRectangle& image, std::size_t most) {
-  const int columns = (image.Width() + side - 1) / side, rows = (image.Height() + side - 1) / side;
+/// The target's unit, in which errors are measured.
+RenderSettings ForProbing(RenderSettings settings) {
+  const Budget asked = settings.budget;
+  settings.budget = {};
+  settings.budget.error = asked.error;
+  settings.budget.confidence = asked.confidence;
+  settings.budget.adaptive = asked.adaptive;
+  settings.replay.reset(), settings.part.reset();
+  settings.wants_passes = false;
+  settings.threads = 1;
+  return settings;
+}
+
+/// A square of the image, rendered as a crop is.
+struct Square {
+  Square(const RenderSettings& of_image, const PixelRectangle& pixels, const SampleSource& source)
+      : settings(CroppedTo(pixels, of_image)),
+        film(EmptyFilmOf(settings)),
+        runner({source, film, HasTwoStreams(settings), settings.threads, settings.tile_size, nullptr, {}}) {}
+
+  static RenderSettings CroppedTo(const PixelRectangle& pixels, RenderSettings settings) {
+    settings.crop = pixels;
+    return settings;
+  }
+
+  const RenderSettings settings;
+  Film film;
+  PassRunner runner;
+};
+
+/// The squares of a probe as one render: they take each pass together, and one film has the pixels of all.
+class Squares {
+ public:
+  Squares(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+          const std::vector<PixelRectangle>& rectangles)
+      : world_(world),
+        accelerator_(accelerator),
+        settings_(settings),
+        integrator_(IntegratorOf(world, accelerator, settings)),
+        camera_(CameraRaysOf(world, settings)),
+        caustics_(settings.mode == RenderMode::path ? CausticsOf(world, settings.trace) : Caustics()),
+        source_{*integrator_, camera_, RandomKey(settings.seed), settings.clamp == Clamp::samples},
+        is_whole_(rectangles.size() == 1),
+        film_(is_whole_ ? Film(settings.width, settings.height, rectangles[0], FilterKind::box)
+                        : Stack(rectangles[0], static_cast<int>(rectangles.size()))) {
+    seconds_to_prepare_ = CpuSeconds() - start_;
+    double sampled = 0;
+    for (const PixelRectangle& pixels : rectangles) {
+      squares_.emplace_back(settings, pixels, source_);
+      sampled += static_cast<double>(squares_.back().film.Sampled().Area());
+    }
+    times_larger_ = static_cast<double>(EmptyFilmOf(settings).Sampled().Area()) / sampled;
+    measure_ = MeasureFor(settings);
+    measure_.share = static_cast<double>(film_.Region().Area()) / static_cast<double>(RegionOf(settings).Area());
+  }
+
+  /// The pixels of all squares, above each other, without those that only a filter sees.
+  const Film& film() const { return film_; }
+  const ErrorMeasure& Measure() const { return measure_; }
+
+  /// Seconds of one processor so far, and of the whole image.
+  double SecondsTaken() const { return CpuSeconds() - start_; }
+  double SecondsOfImage() const { return seconds_to_prepare_ + times_larger_ * (SecondsTaken() - seconds_to_prepare_); }
+
+  /// Takes samples until each block of film() has its target, per pixel and stream.
+  void SampleTo(const std::vector<std::uint32_t>& targets) {
+    for (std::size_t i = 0; i < squares_.size(); ++i) {
+      Square& square = squares_[i];
+      PassTargets of_square;
+      for (int block = 0; block < square.film.Blocks(); ++block)
+        of_square.samples.push_back(targets[BlockOfFilm(i, square.film.PixelsOf(block))]);
+      square.runner.Run(of_square, {});
+      TakePixels(i);
+    }
+  }
+
+  UnseenLight Unseen() const {
+    for (const Square& square : squares_)
+      if (square.runner.Rays().caustics > 0) return {};
+    return {caustics_.most, CountSamples(film_).mean * static_cast<double>(RegionOf(settings_).Area())};
+  }
+
+  DenoisedPicture Denoised() const {
+    const PixelRectangle& all = film_.Region();
+    DenoisedPicture stack{{R2::Image(all.Width(), all.Height()), R2::Image(all.Width(), all.Height())}};
+    for (std::size_t i = 0; i < squares_.size(); ++i) {
+      const Square& square = squares_[i];
+      const DenoisedPicture part = DenoiseFilm(world_, accelerator_, square.settings, square.film);
+      for (int stream = 0; stream < 2; ++stream)
+        ForEachPixel(i, [&](int column, int row, int x, int y) {
+          stack.of_stream[stream].Set(x - all.x0, y - all.y0, part.of_stream[stream].At(column, row));
+        });
+    }
+    return stack;
+  }
+
+ private:
+  static Film Stack(const PixelRectangle& first, int squares) {
+    const PixelRectangle all{0, 0, first.Width(), squares * first.Height()};
+    return {all.x1, all.y1, all, FilterKind::box};
+  }
+
+  /// Calls visit(column, row, x, y) for each pixel of a square, with its place in the square and in film().
+  template <typename Visit>
+  void ForEachPixel(std::size_t square, const Visit& visit) const {
+    const PixelRectangle& pixels = squares_[square].film.Region();
+    for (int y = pixels.y0; y < pixels.y1; ++y)
+      for (int x = pixels.x0; x < pixels.x1; ++x) {
+        const auto [in_film_x, in_film_y] = InFilm(square, x, y);
+        visit(x - pixels.x0, y - pixels.y0, in_film_x, in_film_y);
+      }
+  }
+  std::pair<int, int> InFilm(std::size_t square, int x, int y) const {
+    const PixelRectangle& pixels = squares_[square].film.Region();
+    if (is_whole_) return {x, y};
+    return {x - pixels.x0, y - pixels.y0 + pixels.Height() * static_cast<int>(square)};
+  }
+  /// The block of film() that has, or is nearest to, these pixels of a square's own film.
+  std::size_t BlockOfFilm(std::size_t square, const PixelRectangle& pixels) const {
+    const PixelRectangle& region = squares_[square].film.Region();
+    const auto [x, y] = InFilm(square, std::clamp(pixels.x0, region.x0, region.x1 - 1),
+                               std::clamp(pixels.y0, region.y0, region.y1 - 1));
+    return static_cast<std::size_t>(film_.BlockOf(x, y));
+  }
+
+  /// Copies a square's pixels, as far as they are.
+  void TakePixels(std::size_t square) {
+    const Film& own = squares_[square].film;
+    for (int part = 0; part < Film::parts; ++part) {
+      const R2::Image image = own.Part(part);
+      ForEachPixel(square, [&](int column, int row, int x, int y) {
+        const int block = film_.BlockOf(x, y);
+        Film::Block& to = film_[block];
+        const auto samples = own[own.BlockOf(own.Region().x0 + column, own.Region().y0 + row)].samples[part];
+        if (to.sums[part].IsEmpty()) to.sums[part] = film_.EmptySums(block);
+        const PixelRectangle& reach = to.sums[part].Reach();
+        const auto index = static_cast<std::size_t>(y - reach.y0) * static_cast<std::size_t>(reach.Width()) +
+                           static_cast<std::size_t>(x - reach.x0);
+        to.sums[part].Sums()[index] = {samples * image.At(column, row), static_cast<double>(samples)};
+        to.samples[part] = samples;
+      });
+    }
+  }
+
+  const World& world_;
+  const Accelerator& accelerator_;
+  const RenderSettings& settings_;
+  const double start_ = CpuSeconds();
+  const std::unique_ptr<const Integrator> integrator_;
+  const CameraRays camera_;
+  const Caustics caustics_;
+  const SampleSource source_;
+  const bool is_whole_;
+  Film film_;
+  ErrorMeasure measure_;
+  std::deque<Square> squares_;
+  double seconds_to_prepare_ = 0, times_larger_ = 1;
+};
+
+void Finish(const Squares& squares, const MeasuredError& error, Probe& probe) {
+  probe.light = MeanOf(squares.film().Picture());
+  probe.square = error.square;
+}
+
+}  // namespace
+
+std::vector<PixelRectangle> SquaresToProbe(const PixelRectangle& image, int side, std::size_t most) {
+  const auto down = [](int x) { return x / block_side * block_side; };
+  const auto up = [&](int x) { return down(x + block_side - 1); };
+  const PixelRectangle blocks{up(image.x0), up(image.y0), down(image.x1), down(image.y1)};  // whole ones
+  constexpr double hardly_more = 1.5;
+  const int columns = blocks.Width() / side, rows = blocks.Height() / side;
+  if (columns < 1 || rows < 1 || columns * rows <= hardly_more * static_cast<double>(most))
+    return {image};
   const double step_x = 0.7548776662466927, step_y = 0.5698402909980532;
   std::vector<PixelRectangle> squares;
   const std::size_t tries = 4 * most;  // small images repeat theirs
   for (std::size_t i = 0; i < tries && squares.size() < most; ++i) {
-    const auto along = [&](double step, int count) {
+    const auto place = [&](double step, int count, int length) {
       const double at = 0.5 + step * static_cast<double>(i);
-      return std::min(static_cast<int>((at - std::floor(at)) * count), count - 1);
+      const int which = std::min(static_cast<int>((at - std::floor(at)) * count), count - 1);
+      return down(static_cast<int>(static_cast<std::int64_t>(which) * (length - side) / std::max(1, count - 1)));
     };
-    const int x = image.x0 + along(step_x, columns) * side, y = image.y0 + along(step_y, rows) * side;
-    const PixelRectangle square = Common(image, {x, y, x + side, y + side});
+    const int x = blocks.x0 + place(step_x, columns, blocks.Width());
+    const int y = blocks.y0 + place(step_y, rows, blocks.Height());
+    const PixelRectangle square{x, y, x + side, y + side};
     if (std::ranges::find(squares, square) == squares.end()) squares.push_back(square);
   }
   return squares;
 }
 
-/// Takes all samples, in two streams, and stops for nothing.
-RenderSettings ForProbing(RenderSettings settings) {
-  const bool is_of_light = settings.budget.error && IsOfLight(settings.budget.error->unit);
-  settings.budget = {};
-  settings.budget.error = {.value = 0, .unit = is_of_light ? ErrorUnit::linear : ErrorUnit::display};
-  settings.budget.adaptive = Adaptive::off;
-  settings.replay.reset();
-  settings.wants_passes = false;
-  settings.threads = 1;
-  settings.denoises_beyond_crop = false;
-  return settings;
+Probe::Arrival Probe::ArrivalAt(const ErrorTarget& target) const {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const Pass& last = passes.back();
+  if (stop == Stop::error) return {last.samples, last.seconds};
+  const auto forecast = ForecastOf(passes, target);
+  if (stop || !forecast || !std::isfinite(forecast->samples)) return {never, never};
+  const Pass before = passes.size() > 1 ? passes[passes.size() - 2] : Pass{};
+  const double pace = (last.seconds - before.seconds) / (last.samples - before.samples);
+  return {forecast->samples, last.seconds + pace * (forecast->samples - last.samples)};
 }
 
-}  // namespace
-
-std::vector<ProbedSquare> ProbeImage(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                                     double seconds, std::size_t most) {
-  RenderSettings part = ForProbing(settings);
-  const auto integrator = IntegratorOf(world, accelerator, part);
-  const double scale = part.budget.error->unit == ErrorUnit::display ? 255 : 1;
-  std::vector<ProbedSquare> probed;
-  double taken = 0;
-  for (const PixelRectangle& square : SquaresOf(EmptyFilmOf(settings).Region(), most)) {
-    if (!probed.empty() && taken > seconds) break;
-    part.crop = square;
-    const double start = CpuSeconds();
-    const RenderResult result = part.denoise ? Render(world, accelerator, part) : Render(world, *integrator, part);
-    const double error = result.error ? result.error->estimate / scale : 0;
-    probed.push_back({square, CpuSeconds() - start, error * error, MeanOf(result.image)});
-    taken += probed.back().seconds;
+Probe ProbeToError(const World& world, const Accelerator& accelerator, const RenderSettings& asked,
+                   const std::vector<PixelRectangle>& rectangles, double seconds) {
+  RenderSettings settings = ForProbing(asked);
+  settings.denoise = false;
+  Squares squares(world, accelerator, settings, rectangles);
+  const Film& film = squares.film();
+  Schedule schedule(settings, {film.Columns(), film.AreasInRegion()}, false);
+  PassHistory history(settings, film, false, squares.Measure());
+  Probe probe;
+  while (schedule.State().end == 0) schedule.Next({});  // the first looks are some of the first samples
+  bool is_measured = false;
+  while (!probe.stop && !(is_measured && squares.SecondsTaken() > seconds)) {
+    squares.SampleTo(schedule.State().targets.samples);
+    PassOutcome pass;
+    pass.error = history.Note(schedule, CountSamples(film).mean, squares.SecondsOfImage(), squares.Unseen());
+    if (pass.error) Finish(squares, *pass.error, probe), is_measured = true;
+    if (const auto forecast = history.Forecast()) pass.has_stalled = forecast->has_stalled;
+    probe.stop = schedule.Next(pass);
   }
-  return probed;
+  probe.passes = history.Passes();
+  probe.passes.back().seconds = squares.SecondsOfImage();
+  return probe;
+}
+
+Probe ProbeDenoised(const World& world, const Accelerator& accelerator, const RenderSettings& asked,
+                    const std::vector<PixelRectangle>& rectangles, double seconds) {
+  RenderSettings settings = ForProbing(asked);
+  settings.denoise = true;
+  settings.samples = 1;
+  const ErrorTarget target = *settings.budget.error;
+  Squares squares(world, accelerator, settings, rectangles);
+  Probe probe;
+  double seconds_of_looks = 0;
+  // The interval is that of these few squares: of another number of samples nothing tells whether it suffices.
+  ErrorMeasure measure = squares.Measure();
+  measure.share = 1;
+  const auto blocks = static_cast<std::size_t>(squares.film().Blocks());
+  const auto has_time = [&] { return probe.passes.empty() || squares.SecondsTaken() < seconds; };
+  for (std::uint32_t end = first_filtered; !probe.stop && has_time(); end *= 2) {
+    squares.SampleTo(std::vector<std::uint32_t>(blocks, end));
+    const double before = squares.SecondsOfImage();
+    MeasuredError error = MeasureDenoisedError(squares.film(), squares.Denoised(), measure);
+    AllowFor(squares.Unseen(), measure, error);
+    const double after = squares.SecondsOfImage();
+    probe.passes.push_back({end, 2.0 * end, after - seconds_of_looks, error.estimate});
+    seconds_of_looks += after - before;
+    Finish(squares, error, probe);
+    if (error.square_high <= SquaredTarget(target.value, {.unit = target.unit}, error.mean)) probe.stop = Stop::error;
+  }
+  return probe;
 }
 
 }  // namespace ray

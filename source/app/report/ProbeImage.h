@@ -1,30 +1,48 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
 #include "source/film/PixelRectangle.h"
 #include "source/render/RenderSettings.h"
+#include "source/render/RenderState.h"
+#include "source/render/Schedule.h"
 
 namespace ray {
 
-/// A square of an image, rendered to tell what all of it would cost.
-struct ProbedSquare {
-  PixelRectangle pixels;
-  double seconds = 0;  // of one processor
-  double square = 0;   // mean squared error: as displayed, of values in 0..1, or of light where the target is
-  double mean = 0;     // of the channels
+/// Returns the squares of a probe, spread over an image or its crop: all different, and `most` at most. If the image is
+/// hardly larger than its squares, returns all of it.
+///   side     in pixels, a multiple of a block's
+///   source   their order: Roberts, The unreasonable effectiveness of quasirandom sequences (2018), R2
+std::vector<PixelRectangle> SquaresToProbe(const PixelRectangle& image, int side, std::size_t most);
+
+/// The course of a render, predicted from squares of its image.
+struct Probe {
+  std::vector<Pass> passes;  // samples per pixel, errors and seconds of one processor are those of the whole image
+  std::optional<Stop> stop;  // none if the probe ended first
+  double light = 0;          // mean of the squares' pixels
+  double square = 0;         // of the error of `passes.back()`, of the squares alone
+
+  /// A render that reaches a target.
+  struct Arrival {
+    double samples = 0, seconds = 0;  // as in `passes`; infinite if it does not reach the target
+  };
+  /// Predicts from the passes when the target is reached, as -error does. At least one pass must have an error.
+  Arrival ArrivalAt(const ErrorTarget& target) const;
 };
 
-/// Renders squares of the image, or of its crop, that are spread over it, one after another by one thread: each at
-/// settings.samples, in two streams so that its error is measured, whatever the budget; filtered where settings ask for
-/// it. The first squares are the same for all settings of one size, so that these can be compared square by square.
-///   seconds   of one processor, after which no square is begun but the first
-///   most      squares, at least 1
-///   source    the order of squares: Roberts, The unreasonable effectiveness of quasirandom sequences (2018), R2
-std::vector<ProbedSquare> ProbeImage(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                                     double seconds, std::size_t most);
+/// Renders the squares with one thread as -error renders the whole image, pass by pass until settings.budget.error is
+/// reached: the schedule and the estimate of the error are the same.
+///   seconds   of one processor, after which no pass begins once an error has been measured
+Probe ProbeToError(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                   const std::vector<PixelRectangle>& squares, double seconds);
+
+/// Renders the squares at 4, 8, 16, ... samples per pixel and filters them each time, until the error that is left is
+/// at settings.budget.error. Each pass has the seconds of a render that ends with it.
+Probe ProbeDenoised(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                    const std::vector<PixelRectangle>& squares, double seconds);
 
 }  // namespace ray

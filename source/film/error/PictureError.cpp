@@ -262,7 +262,7 @@ MeasuredError Summarize(const Film& film, std::vector<double> blocks, const std:
   measured.mean = mean;
   measured.square = MeanOfBlocks(blocks, areas);
   ErrorEstimate& e = measured.estimate;
-  e.freedom = DegreesOfFreedom(squares, share_of_variance);
+  e.freedom = DegreesOfFreedom(squares, share_of_variance) / measure.share;
   const double freedom = FreedomOfIntervals(e.freedom);
   const double ratio = FQuantile((1 + measure.confidence) / 2, freedom, freedom);
   measured.square_high = measured.square * ratio;

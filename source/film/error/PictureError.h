@@ -48,6 +48,7 @@ struct ErrorMeasure {
   ErrorUnit unit = ErrorUnit::display;
   double confidence = 0.95;
   bool srgb = false;
+  double share = 1;  // of the image's pixels that the film has; its errors, and their number, stand for all of them
 };
 
 /// The squared errors of a film's blocks at one time, to tell by how they fell.

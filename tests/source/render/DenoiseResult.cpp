@@ -178,15 +178,13 @@ TEST(DenoiseResult, ACropsErrorCountsItsOwnPixelsAlone) {
   EXPECT_EQ(part.pixels_total, 4 * 48);
 }
 
-TEST(DenoiseResult, CostMeasurementsRenderOnlyTheCrop) {
+TEST(DenoiseResult, OnlyDenoisedCropsHaveSurroundings) {
   RenderSettings settings = Indirect(4);
   settings.denoise = true;
   settings.crop = PixelRectangle{20, 20, 30, 30};
   EXPECT_EQ(EmptyFilmOf(settings).Sampled(), (PixelRectangle{4, 4, 46, 46}));
   EXPECT_EQ(MadeRegionOf(settings), (PixelRectangle{4, 4, 46, 46}));
-  settings.denoises_beyond_crop = false;
-  EXPECT_EQ(EmptyFilmOf(settings).Sampled(), *settings.crop);
-  settings.denoise = false, settings.denoises_beyond_crop = true;
+  settings.denoise = false;
   EXPECT_EQ(EmptyFilmOf(settings).Sampled(), *settings.crop);
 }
 

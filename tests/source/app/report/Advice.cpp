@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <sstream>
+
 #include "source/accelerate/Accelerator.h"
 #include "source/app/options/OptionTable.h"
 #include "tests/source/app/Program.h"
@@ -16,15 +21,16 @@ const std::string soft_light = "area_light 1 1 1  0 4 1  0 -1 0  1  1 0 0\n";
 const std::string ball =
     "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1 1 0\nbox 0  -4 -.1 -4  4 0 4\nsphere 0  0 .8 0  .8\n";
 
-std::string AdviceOn(const std::string& scene, const std::vector<std::string>& words = {}) {
+std::string AdviceOn(const std::string& scene, const std::vector<std::string>& words = {},
+                     double seconds_to_start = 0.25) {
   const testing::TemporaryFolder folder;
   const ParsedScene parsed = Parse(testing::WriteFile(folder / "example.scn", camera_above + scene), {});
   Options options = Defaults(Program::raypro);
-  options.render.width = options.render.height = 48;
+  options.render.width = options.render.height = 24;
   for (std::size_t i = 0; i + 1 < words.size(); i += 2)
     Store(*FindOption(Program::raypro, words[i]), std::vector{words[i + 1]}, options);
   const World world(parsed.scene);
-  return Advice(world, *FindAcceleratorKind("bvh")->Make(world, {}), options.render);
+  return Advice(world, *FindAcceleratorKind("bvh")->Make(world, {}), options, seconds_to_start);
 }
 
 TEST(Advice, OnlyKnobsThatTheSceneHasAreTried) {
@@ -56,10 +62,53 @@ TEST(Advice, AnImageWithoutNoiseIsSaidToHaveNone) {
 }
 
 TEST(Advice, TheTargetIsTheErrorAskedForInItsUnit) {
-  EXPECT_TRUE(Has(AdviceOn(soft_light + ball), " to 2/255\n"));
+  EXPECT_TRUE(Has(AdviceOn(soft_light + ball), " below 2/255 "));
   const std::string relative = AdviceOn(soft_light + ball, {"error", "3%"});
-  EXPECT_TRUE(Has(relative, " to 3%\n") && Has(relative, " lin ")) << relative;
+  EXPECT_TRUE(Has(relative, " below 3% ")) << relative;
   EXPECT_FALSE(Has(relative, "-error 2")) << relative;
+}
+
+/// A row of the table.
+struct AdvisedRow {
+  std::string settings;
+  double seconds;
+};
+
+std::vector<AdvisedRow> RowsOf(const std::string& advice) {
+  static const std::regex row(R"((as asked|-[\w -]*\w) +(?:[0-9.]+|never) +([0-9.]+|never))");
+  std::vector<AdvisedRow> rows;
+  std::istringstream lines(advice);
+  std::smatch found;
+  for (std::string line; std::getline(lines, line);)
+    if (std::regex_match(line, found, row))
+      rows.push_back({found[1], found[2] == "never" ? INFINITY : std::stod(found[2])});
+  return rows;
+}
+
+TEST(Advice, WhatItRecommendsIsTheFastestOfItsRows) {
+  std::string lights;
+  for (int i = 0; i < 3; ++i) lights += soft_light;
+  const std::string text = AdviceOn(lights + ball, {}, 0);
+  const auto rows = RowsOf(text);
+  ASSERT_GE(rows.size(), 5u) << text;
+  const auto add = text.find("add: ");
+  ASSERT_NE(add, std::string::npos) << text;
+  const auto words = text.substr(add + 5, text.find('\n', add) - add - 5);
+  const auto advised = std::ranges::find_if(rows, [&](const AdvisedRow& row) {
+    return (row.settings == "as asked" ? "-error 2" : row.settings + " -error 2") == words || row.settings == words;
+  });
+  ASSERT_NE(advised, rows.end()) << text;
+  constexpr double noticeable = 1.1, rounding = 1.1;  // of two digits
+  EXPECT_LE(advised->seconds, noticeable * rounding * std::ranges::min(rows, {}, &AdvisedRow::seconds).seconds) << text;
+}
+
+TEST(Advice, SecondsCountFromTheStartOfTheProgram) {
+  for (const AdvisedRow& row : RowsOf(AdviceOn(soft_light + ball, {}, 1000))) EXPECT_GE(row.seconds, 1000);
+}
+
+TEST(Advice, AnErrorThatSoFewSamplesDoNotReachIsSaidNotTo) {
+  const std::string text = AdviceOn(soft_light + ball, {"samples", "8", "mode", "path", "error", "0.01"});
+  EXPECT_TRUE(Has(text, "as asked") && Has(text, "never")) << text;
 }
 
 }  // namespace

@@ -24,60 +24,98 @@ struct Subject {
   std::unique_ptr<const Accelerator> accelerator = FindAcceleratorKind("bvh")->Make(world, {});
 };
 
-RenderSettings Settings(int width, int height) {
+RenderSettings Settings(int width, int height, const ErrorTarget& target) {
   RenderSettings settings;
   settings.width = width, settings.height = height;
-  settings.samples = 16;
   settings.trace.shadow_samples = 1;
+  settings.budget.error = target;
   return settings;
 }
 
-TEST(ProbeImage, SquaresAreDifferentOnesWithinTheCrop) {
-  const Subject subject;
-  RenderSettings settings = Settings(200, 150);
-  settings.crop = PixelRectangle{10, 20, 150, 130};
-  const auto probed = ProbeImage(subject.world, *subject.accelerator, settings, 1e9, 9);
-  ASSERT_EQ(probed.size(), 9u);
-  for (std::size_t i = 0; i < probed.size(); ++i) {
-    EXPECT_EQ(Common(probed[i].pixels, *settings.crop), probed[i].pixels);
-    EXPECT_GT(probed[i].pixels.Area(), 0);
-    for (std::size_t k = 0; k < i; ++k) EXPECT_LE(Common(probed[i].pixels, probed[k].pixels).Area(), 0);
+Probe Probed(const Subject& subject, const RenderSettings& settings, const std::vector<PixelRectangle>& squares,
+             double seconds = 1e9) {
+  return ProbeToError(subject.world, *subject.accelerator, settings, squares, seconds);
+}
+
+TEST(SquaresToProbe, AreDifferentBlocksWithinTheImage) {
+  for (const PixelRectangle& image : {PixelRectangle{0, 0, 512, 512}, {10, 20, 250, 230}, {3, 5, 1000, 84}}) {
+    const auto squares = SquaresToProbe(image, 32, 9);
+    ASSERT_EQ(squares.size(), 9u);
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      EXPECT_EQ(Common(squares[i], image), squares[i]);
+      EXPECT_TRUE(squares[i].Width() == 32 && squares[i].Height() == 32);
+      EXPECT_TRUE(squares[i].x0 % 8 == 0 && squares[i].y0 % 8 == 0);
+      for (std::size_t k = 0; k < i; ++k) EXPECT_LE(Common(squares[i], squares[k]).Area(), 0);
+    }
   }
 }
 
-TEST(ProbeImage, ProbesAtLeastOneSquareAndSmallImagesOnce) {
-  const Subject subject;
-  const auto whole = ProbeImage(subject.world, *subject.accelerator, Settings(7, 5), 1e9, 16);
-  ASSERT_EQ(whole.size(), 1u);
-  EXPECT_EQ(whole[0].pixels, (PixelRectangle{0, 0, 7, 5}));
-  EXPECT_EQ(ProbeImage(subject.world, *subject.accelerator, Settings(200, 150), 0, 16).size(), 1u);
+TEST(SquaresToProbe, SmallOrNarrowImagesAreProbedAsAWhole) {
+  for (const PixelRectangle& image : {PixelRectangle{0, 0, 7, 5}, {1, 1, 90, 90}, {0, 0, 500, 31}, {4, 4, 39, 400}})
+    EXPECT_EQ(SquaresToProbe(image, 32, 16), std::vector{image});
 }
 
-// 3 x 3 squares are all of the image, so that their errors add up to its own.
-TEST(ProbeImage, SquaresOfTheWholeImageHaveItsErrorAndLight) {
+// The schedule, the estimate and its interval are those of the render, with a wide filter and in a crop too.
+TEST(ProbeToError, OfTheWholeImageIsTheRender) {
   const Subject subject;
-  RenderSettings settings = Settings(96, 96);
-  const auto probed = ProbeImage(subject.world, *subject.accelerator, settings, 1e9, 9);
-  ASSERT_EQ(probed.size(), 9u);
-  double square = 0, mean = 0;
-  for (const ProbedSquare& s : probed) square += s.square / 9, mean += s.mean / 9;
-  settings.budget.error = {1e-9, ErrorUnit::display};
-  settings.budget.adaptive = Adaptive::off;
+  for (const FilterKind filter : {FilterKind::box, FilterKind::mitchell})
+    for (const ErrorTarget target : {ErrorTarget{1, ErrorUnit::display}, {4, ErrorUnit::relative}}) {
+      RenderSettings settings = Settings(80, 70, target);
+      settings.filter = filter;
+      settings.crop = PixelRectangle{5, 10, 63, 61};
+      const Probe probe = Probed(subject, settings, {*settings.crop});
+      const RenderResult result = Render(subject.world, *subject.accelerator, settings);
+      EXPECT_EQ(probe.stop, Stop::error);
+      ASSERT_GE(probe.passes.size(), 2u);
+      EXPECT_EQ(probe.passes.back().end, result.passes.back().end);
+      EXPECT_NEAR(probe.passes.back().samples, result.samples.mean, 1e-9);
+      EXPECT_NEAR(probe.passes.back().error->estimate, result.error->estimate, 1e-3 * result.error->estimate);
+      EXPECT_NEAR(probe.passes.back().error->high, result.error->high, 1e-3 * result.error->high);
+      EXPECT_NEAR(probe.light, MeanOf(result.image), 1e-5) << "as far as floats of both parts tell";
+      const Probe::Arrival arrival = probe.ArrivalAt(target);
+      EXPECT_EQ(arrival.samples, probe.passes.back().samples);
+      EXPECT_EQ(arrival.seconds, probe.passes.back().seconds);
+    }
+}
+
+// A quarter of the blocks tells what all do: a few percent of the error at 16 samples, by the spread between squares.
+TEST(ProbeToError, SquaresStandForTheImage) {
+  const Subject subject;
+  RenderSettings settings = Settings(192, 192, {1e-9, ErrorUnit::display});
+  settings.samples = 16;
+  const Probe probe = Probed(subject, settings, SquaresToProbe({0, 0, 192, 192}, 8, 144));
   const RenderResult result = Render(subject.world, *subject.accelerator, settings);
-  EXPECT_NEAR(mean, MeanOf(result.image), 1e-6);
-  EXPECT_NEAR(255 * std::sqrt(square), result.error->estimate, 0.1 * result.error->estimate);
+  EXPECT_EQ(probe.stop, Stop::samples);
+  EXPECT_NEAR(probe.passes.back().error->estimate, result.error->estimate, 0.2 * result.error->estimate);
+  EXPECT_NEAR(probe.passes.back().error->freedom, result.error->freedom, 0.3 * result.error->freedom);
+  EXPECT_TRUE(std::isinf(probe.ArrivalAt(*settings.budget.error).samples)) << "16 samples do not reach it";
 }
 
-TEST(ProbeImage, WhatIsLightIsMeasuredAsLight) {
+TEST(ProbeToError, MeasuresAnErrorHoweverLittleTimeThereIs) {
   const Subject subject;
-  RenderSettings settings = Settings(32, 32);
-  const double displayed = ProbeImage(subject.world, *subject.accelerator, settings, 0, 1)[0].square;
-  settings.budget.error = {3, ErrorUnit::relative};
-  const double of_light = ProbeImage(subject.world, *subject.accelerator, settings, 0, 1)[0].square;
-  settings.budget.error = {0.01, ErrorUnit::linear};
-  EXPECT_EQ(ProbeImage(subject.world, *subject.accelerator, settings, 0, 1)[0].square, of_light);
-  EXPECT_GT(displayed, 0);
-  EXPECT_GT(of_light, 0);
+  const ErrorTarget target{0.01, ErrorUnit::display};
+  const Probe probe = Probed(subject, Settings(96, 96, target), SquaresToProbe({0, 0, 96, 96}, 16, 4), 0);
+  EXPECT_EQ(probe.stop, std::nullopt);
+  ASSERT_TRUE(probe.passes.back().error);
+  const Probe::Arrival arrival = probe.ArrivalAt(target);
+  EXPECT_GT(arrival.samples, 100 * probe.passes.back().samples);
+  EXPECT_GT(arrival.seconds, probe.passes.back().seconds);
+}
+
+TEST(ProbeDenoised, OfTheWholeImageLeavesWhatTheRenderDoes) {
+  const Subject subject;
+  const ErrorTarget target{1.2, ErrorUnit::display};
+  RenderSettings settings = Settings(56, 44, target);
+  const Probe probe =
+      ProbeDenoised(subject.world, *subject.accelerator, settings, {PixelRectangle{0, 0, 56, 44}}, 1e9);
+  ASSERT_EQ(probe.stop, Stop::error);
+  settings.budget = {};
+  settings.denoise = true;
+  for (const Pass& pass : probe.passes) {
+    settings.samples = static_cast<int>(pass.samples);
+    const RenderResult result = Render(subject.world, *subject.accelerator, settings);
+    EXPECT_NEAR(pass.error->high, result.error->high, 1e-3 * result.error->high) << pass.samples;
+  }
 }
 
 }  // namespace
