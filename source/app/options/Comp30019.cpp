@@ -82,7 +82,7 @@ std::span<const OptionKind> CourseOptions() {
 
 /// "-x, --aa-mult"
 std::string NamesOf(const OptionKind& option) { return std::string("-") + option.name; }
-/// What stands before the comma: a letter, or raypro's own word.
+/// Returns the name before the comma: a letter, or raypro's own word.
 std::string ShortNameOf(const OptionKind& option) { return std::string(option.name, std::strcspn(option.name, ",")); }
 std::string LongNameOf(const OptionKind& option) { return std::strstr(option.name, "--"); }
 

@@ -15,7 +15,7 @@ bool IsAskedFor(int argc, const char* const* argv);
 /// The words behind a program's name, with -as comp30019 before them: what to type to raypro.
 std::vector<std::string> WithRequest(std::span<const std::string> words);
 
-/// What the words ask for, behind a program's name and perhaps -as comp30019: the course's 12 options and -one_sided turned into
+/// Translates the words behind a program's name, and perhaps -as comp30019: the course's 12 options and -one_sided into
 /// raypro's, and the view. Throws UsageError.
 Options ReadCommandLine(std::span<const std::string> words);
 

@@ -22,10 +22,10 @@ namespace ray {
 namespace {
 
 constexpr double seconds_a_probe = 1.2;  // so that five or six of them take some seconds
-// Noise is uneven, so that many small squares tell more than a few large ones.
+// Noise is uneven, so many small squares represent an image better than a few large ones.
 constexpr int square_side = 16;
 constexpr std::size_t least_squares = 16, most_squares = 256;  // the error of as many is within 15% of the image's
-// Filters look at what is around a square, which takes samples as well: three times the pixels of larger squares.
+// Filters need the pixels around a square too, which are three times as many as those of a square of this size.
 constexpr int filtered_side = 32;
 constexpr std::size_t least_filtered_squares = 4, most_filtered_squares = 16;
 constexpr double seconds_filtered = 1.5;
@@ -86,7 +86,7 @@ std::vector<Knob> KnobsOfLight(const SceneFeatures& has, const RenderSettings& r
   };
 }
 
-/// A choice of settings, and when a render with it claims the error asked for.
+/// The predicted end of a render with some settings, at which it claims the requested error.
 struct Forecast {
   Settings settings;
   double samples = 0, seconds = 0;  // per pixel; of one processor, from the start of the program to the file
@@ -107,7 +107,7 @@ class Advisor {
         target_(*options_.render.budget.error),
         seconds_beside_(seconds_to_start + SecondsToFinish(options_.render, EncoderOf(PictureName(options),
                                                                                       options.encoding))) {
-    // A few squares tell how many there is time for, at twice the samples.
+    // The time of a few squares decides how many are probed, to twice as many samples.
     const PixelRectangle image = RegionOf(options_.render);
     const auto few = SquaresToProbe(image, square_side, 4);
     const double seconds = 2 * ProbeToError(world_, accelerator_, options_.render, few, 0).passes.back().seconds;
@@ -188,9 +188,9 @@ class Advisor {
   bool CanDenoise() const {
     return options_.render.mode == RenderMode::whitted || options_.render.mode == RenderMode::path;
   }
-  /// As many as there is time for, with 8 samples per pixel.
+  /// Returns as many squares as there is time to sample 8 times and to filter.
   std::vector<PixelRectangle> FilteredSquares() const {
-    constexpr double samples = 8, pixels = 4 * filtered_side * filtered_side;  // of a square and what is around it
+    constexpr double samples = 8, pixels = 4 * filtered_side * filtered_side;  // of a square and its surroundings
     const PixelRectangle image = RegionOf(options_.render);
     const double seconds = best_.seconds_of_sample * samples * pixels / static_cast<double>(image.Area());
     const double count =
@@ -217,21 +217,21 @@ class Advisor {
     return {settings, is_reached ? samples : arrival.samples,
             is_reached ? seconds_beside_ + arrival.seconds * samples / arrival.samples : arrival.samples};
   }
-  /// The target for a few squares, so that the whole image reaches the one asked for.
+  /// Returns the target of a few squares, stricter so that the whole image reaches the requested one.
   ///   source   claims of 16 squares were 0.8 to 1.1 times those of the whole image in the scenes of script/advice.py
   static ErrorTarget Stricter(ErrorTarget target) {
     constexpr double margin = 1.2;
     target.value = target.unit == ErrorUnit::decibel ? target.value + 20 * R1::Log10(margin) : target.value / margin;
     return target;
   }
-  /// To samples of two streams at which the sequences are well distributed, as the schedule of -error does.
+  /// Rounds to a count at which the sequences of both streams are well distributed, as the schedule of -error does.
   static double RoundedUp(double samples) {
     const auto of_stream = static_cast<std::uint32_t>(std::ceil(samples / 2));
     const std::uint32_t step = std::max(1u, std::bit_floor(of_stream) / 4);
     return 2.0 * ((of_stream + step - 1) / step * step);
   }
 
-  /// Of lights that are chosen one at a time each sends one shadow ray in mode whitted.
+  /// Returns true if one setting makes the other useless: in mode whitted, a light that is chosen gets one shadow ray.
   bool IsWithoutEffect(const Settings& settings, const Settings& other) const {
     const auto& [one, another] = std::pair(settings[0], other[0]);
     return IsWhitted(options_.render) && (one == Setting{"lights", "one"} || another == Setting{"lights", "one"}) &&

@@ -254,7 +254,8 @@ Probe ProbeDenoised(const World& world, const Accelerator& accelerator, const Re
   Squares squares(world, accelerator, settings, rectangles);
   Probe probe;
   double seconds_of_looks = 0;
-  // The interval is that of these few squares: of another number of samples nothing tells whether it suffices.
+  // The interval is that of the squares alone, which is wider: a fixed number of samples has to suffice, since the
+  // render that it is for does not stop by its error.
   ErrorMeasure measure = squares.Measure();
   measure.share = 1;
   const auto blocks = static_cast<std::size_t>(squares.film().Blocks());
