@@ -53,7 +53,7 @@ def compare(raypro, scene, side, error, asked, folder):
     advised = seconds_to_claim(command + add, image, float(error), 100)
     best, least = "", NEVER
     for words in TRIED:
-        patience = 2 + 4 * min(least, advised)  # other programs may be running
+        patience = 10 + 4 * min(least, advised)  # other programs may be running
         seconds = seconds_to_claim(command + words.format(e=error).split(), image, float(error), patience)
         if seconds <= least:
             best, least = words, seconds
