@@ -25,6 +25,10 @@ inline bool IsRay(const R3::Ray& ray) {
 std::optional<R3::Hit> FirstAhead(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance,
                                   int element, double begin);
 
+/// The first crossing that counts, from one near the ray's start on.
+std::optional<R3::Hit> FirstAheadFrom(const World& world, const R3::Ray& ray, const R3::Ray& local,
+                                      std::uint32_t instance, int element, const R3::Hit& near_start);
+
 /// The first crossing that counts; nothing where the ray starts or ends on the element and cannot meet it.
 inline std::optional<R3::Hit> FirstCrossing(const World& world, const R3::Ray& ray, const R3::Ray& local,
                                             std::uint32_t instance, int element, Counts& counts) {
@@ -36,11 +40,13 @@ inline std::optional<R3::Hit> FirstCrossing(const World& world, const R3::Ray& r
     return FirstAhead(world, ray, local, instance, element, begin);
   auto hit = met.shape->Intersect(local, element);
   if (hit && IsNearStart(ray, hit->t)) [[unlikely]]
-    hit = FirstAhead(world, ray, local, instance, element, begin);
+    hit = FirstAheadFrom(world, ray, local, instance, element, *hit);
   return hit;
 }
 
-/// Whether the element is in the way of a shadow ray, if only from `begin` on.
+/// Whether the element, crossed at `hit` or from `begin` on, is in the way of a shadow ray.
+bool IsInTheWayAt(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance, int element,
+                  const R3::Hit& hit);
 bool IsInTheWayFrom(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance, int element,
                     double begin);
 
@@ -51,8 +57,10 @@ inline bool IsInTheWay(const World& world, const R3::Ray& ray, const R3::Ray& lo
   const double begin = met.BeginOf(ray, element);
   if (begin == R3::infinity) return false;
   ++counts.primitive_tests;
-  if (begin == ray.t_min && !met.shape->Intersect(local, element)) return false;
-  return IsInTheWayFrom(world, ray, local, instance, element, begin);
+  if (begin != ray.t_min) [[unlikely]]
+    return IsInTheWayFrom(world, ray, local, instance, element, begin);
+  const auto hit = met.shape->Intersect(local, element);
+  return hit && IsInTheWayAt(world, ray, local, instance, element, *hit);
 }
 
 /// The nearest hit so far, by the rule that makes all accelerators agree: smallest t, among equals lowest primitive id.
