@@ -44,6 +44,12 @@ inline Box Along(const Box& box, const Vector& way) {
   return all;
 }
 
+/// What two boxes have in common; empty if that is nothing.
+inline Box Common(const Box& a, const Box& b) {
+  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
+          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
+}
+
 /// A ray made ready for many box tests.
 struct BoxRay {
   explicit BoxRay(const Ray& ray);

@@ -6,42 +6,35 @@
 #include "R3/CsgCrossings.h"
 
 namespace R3 {
-namespace {
 
 /// Which parts of a Csg a place is inside of, as a line goes from crossing to crossing.
-class Insides {
+class Csg::Insides {
  public:
-  explicit Insides(const std::vector<CsgPart>& parts) : parts_(parts), states_(parts.size()) {
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-      State& parent = states_[ParentOf(i)];
-      states_[i].is_first = parent.children++ == 0;
-    }
-  }
+  explicit Insides(const std::vector<Link>& links) : links_(links) { states_.assign(links.size(), {}); }
 
   bool OfAll() const { return states_[0].is_inside; }
 
   /// Goes into a solid or out of it, which may change what it is a part of. Crossings that happen at once have one
   /// `group`, a number above 0.
-  void Cross(std::size_t part, bool enters, std::size_t group) {
+  void Cross(std::uint32_t part, bool enters, std::uint32_t group) {
     for (;;) {
       State& state = states_[part];
       if (state.is_inside == enters) return;
       if (state.group != group) state.group = group, state.was_inside = state.is_inside;
       state.is_inside = enters;
       if (part == 0) return;
-      const bool is_first = state.is_first;
-      part = ParentOf(part);
-      State& parent = states_[part];
-      const int change = enters ? 1 : -1;
-      parent.inside += change;
-      if (is_first) parent.inside_first += change;
+      const Link& link = links_[part];
+      State& parent = states_[link.parent];
+      parent.inside += enters ? 1 : -1;
+      if (link.is_first) parent.is_inside_first = enters;
+      part = link.parent;
       enters = Value(part);
     }
   }
 
   /// Whether the group of crossings changed the part, and all that it is a part of.
-  bool HaveChangedUpFrom(std::size_t part, std::size_t group) const {
-    for (;; part = ParentOf(part)) {
+  bool HaveChangedUpFrom(std::uint32_t part, std::uint32_t group) const {
+    for (;; part = links_[part].parent) {
       const State& state = states_[part];
       if (state.group != group || state.was_inside == state.is_inside) return false;
       if (part == 0) return true;
@@ -50,123 +43,124 @@ class Insides {
 
  private:
   struct State {
+    std::uint32_t group = 0;       // the last group of crossings that changed it
+    std::int32_t inside = 0;       // how many of its parts the place is inside of
+    bool is_inside_first = false;  // whether of the first of them
     bool is_inside = false;
-    bool was_inside = false;           // before the last group of crossings that changed it ...
-    std::size_t group = 0;             // ... which is this one
-    int children = 0;                  // how many parts name this one their parent,
-    int inside = 0, inside_first = 0;  // how many of them the place is inside of, and whether of the first
-    bool is_first = false;             // of its parent's parts
+    bool was_inside = false;  // before the group
   };
 
-  std::size_t ParentOf(std::size_t part) const { return static_cast<std::size_t>(parts_[part].parent); }
-
-  bool Value(std::size_t part) const {
+  bool Value(std::uint32_t part) const {
     const State& state = states_[part];
-    switch (parts_[part].operation) {
+    switch (links_[part].operation) {
       case CsgOperation::unite:
         return state.inside > 0;
       case CsgOperation::intersect:
-        return state.inside == state.children;
+        return state.inside == links_[part].children;
       case CsgOperation::subtract:
-        return state.inside == 1 && state.inside_first == 1;
+        return state.inside == 1 && state.is_inside_first;
     }
     return false;
   }
 
-  const std::vector<CsgPart>& parts_;
-  std::vector<State> states_;
+  const std::vector<Link>& links_;
+  R1::StackVector<State, 48> states_;
 };
 
+namespace {
+
 /// Along the line of the ray, by where their intervals begin; then the first part first.
-std::vector<CsgCrossing> CrossingsOf(const std::vector<CsgPart>& parts,
-                                     const std::vector<std::optional<ElementTree>>& elements, const Ray& ray) {
-  std::vector<CsgCrossing> all;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!elements[i]) continue;
-    for (CsgCrossing& crossing : CrossingsOfSolid(parts[i], *elements[i], ray)) {
-      crossing.part = i;
-      all.push_back(crossing);
-    }
+void Sort(CsgCrossings& crossings) {
+  const auto is_before = [](const CsgCrossing& a, const CsgCrossing& b) {
+    return a.low != b.low ? a.low < b.low : a.part < b.part;
+  };
+  constexpr std::size_t few = 16;
+  if (crossings.size() > few) return std::sort(crossings.begin(), crossings.end(), is_before);
+  for (std::size_t i = 1; i < crossings.size(); ++i) {
+    const CsgCrossing next = crossings[i];
+    std::size_t k = i;
+    for (; k > 0 && is_before(next, crossings[k - 1]); --k) crossings[k] = crossings[k - 1];
+    crossings[k] = next;
   }
-  std::ranges::stable_sort(all, {}, &CsgCrossing::low);
-  return all;
 }
 
 /// The end of the crossings from `first` on that happen at once.
-std::size_t EndOfGroup(const std::vector<CsgCrossing>& crossings, std::size_t first) {
+std::size_t EndOfGroup(const CsgCrossings& crossings, std::size_t first) {
   double high = crossings[first].high;
   std::size_t last = first + 1;
   for (; last < crossings.size() && crossings[last].low <= high; ++last) high = std::max(high, crossings[last].high);
   return last;
 }
 
-Box Common(const Box& a, const Box& b) {
-  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
-          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
-}
-
-/// The solid's box in the csg's frame, wherever rounding may have moved it.
-Box BoundsOf(const CsgPart& part, const ElementTree& elements) {
-  if (elements.Bounds().IsEmpty()) return {};
-  const Box box = part.csg_from_solid * elements.Bounds();
-  const Vector slack{part.slack, part.slack, part.slack};
-  return {box.low - slack, box.high + slack};
+bool IsLine(const Ray& ray) {
+  return IsFinite(FromOrigin(ray.origin)) && IsFinite(ray.direction) && MaxComponent(Abs(ray.direction)) > 0;
 }
 
 }  // namespace
 
 Csg::Csg(std::vector<CsgPart> parts)
-    : parts_(std::move(parts)), elements_(parts_.size()), is_inside_out_(parts_.size(), 0) {
-  std::vector<char> has_children(parts_.size(), 0);
+    : parts_(std::move(parts)), links_(parts_.size()), number_(parts_.size()), is_inside_out_(parts_.size(), 0) {
+  CsgSolid::Pad pad;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    if (parts_[i].solid && !parts_[i].solid->IsDegenerate()) elements_[i].emplace(*parts_[i].solid);
-    assert(!parts_[i].solid || (parts_[i].solid->IsBounded() && parts_[i].solid->Elements() >= 0));
+    const CsgPart& part = parts_[i];
+    assert(!part.solid || (part.solid->IsBounded() && part.solid->Elements() >= 0));
+    if (part.solid && !part.solid->IsDegenerate()) {
+      number_[i] = static_cast<std::uint32_t>(solids_.size());
+      const CsgSolid& solid = solids_.emplace_back(part, static_cast<std::uint32_t>(i));
+      const CsgSolid::Pad of_solid = solid.PadOfCrossings();
+      pad = {std::max(pad.base, of_solid.base), std::max(pad.share, of_solid.share)};
+    }
+    links_[i].operation = part.operation;
     if (i == 0) continue;
-    const auto parent = static_cast<std::size_t>(parts_[i].parent);
+    const auto parent = static_cast<std::size_t>(part.parent);
     assert(parent < i);
-    const bool is_subtracted = parts_[parent].operation == CsgOperation::subtract && has_children[parent];
+    links_[i].parent = static_cast<std::uint32_t>(parent);
+    links_[i].is_first = links_[parent].children++ == 0;
+    const bool is_subtracted = parts_[parent].operation == CsgOperation::subtract && !links_[i].is_first;
     is_inside_out_[i] = is_inside_out_[parent] != (is_subtracted ? 1 : 0);
-    has_children[parent] = 1;
   }
-  FindBounds();
+  std::vector<Box> boxes = BoxesOfParts();
+  is_empty_ = boxes[0].IsEmpty();
+  bounds_ = is_empty_ ? Box{{0, 0, 0}, {0, 0, 0}} : boxes[0];
+  tree_ = CsgTree(parts_, std::move(boxes), pad.base, pad.share);
 }
 
 /// Tight by operation, from the last part to the whole: what is subtracted takes nothing from the box.
-void Csg::FindBounds() {
+std::vector<Box> Csg::BoxesOfParts() const {
   std::vector<Box> boxes(parts_.size());
   std::vector<char> has_box(parts_.size(), 0);
-  std::vector<std::size_t> first_child(parts_.size(), 0);
-  for (std::size_t i = parts_.size(); i-- > 1;) first_child[static_cast<std::size_t>(parts_[i].parent)] = i;
-  for (std::size_t i = parts_.size(); i-- > 0;) {
-    if (elements_[i]) boxes[i] = BoundsOf(parts_[i], *elements_[i]);
-    if (i == 0) break;
-    const auto parent = static_cast<std::size_t>(parts_[i].parent);
-    Box& of_parent = boxes[parent];
-    const CsgOperation operation = parts_[parent].operation;
-    if (operation == CsgOperation::subtract && first_child[parent] != i) continue;
-    if (operation == CsgOperation::intersect && has_box[parent])
+  for (const CsgSolid& solid : solids_) boxes[solid.number] = solid.bounds;
+  for (std::size_t i = parts_.size(); i-- > 1;) {
+    Box& of_parent = boxes[links_[i].parent];
+    const CsgOperation operation = links_[links_[i].parent].operation;
+    if (operation == CsgOperation::subtract && !links_[i].is_first) continue;
+    if (operation == CsgOperation::intersect && has_box[links_[i].parent])
       of_parent = Common(of_parent, boxes[i]);
     else
       of_parent.Extend(boxes[i]);
-    has_box[parent] = 1;
+    has_box[links_[i].parent] = 1;
   }
-  is_empty_ = boxes[0].IsEmpty();
-  bounds_ = is_empty_ ? Box{{0, 0, 0}, {0, 0, 0}} : boxes[0];
+  return boxes;
 }
 
 std::optional<Hit> Csg::Intersect(const Ray& ray, int) const {
-  if (is_empty_) return {};
-  const std::vector<CsgCrossing> crossings = CrossingsOf(parts_, elements_, ray);
-  Insides insides(parts_);
+  if (is_empty_ || !IsLine(ray)) return {};
+  CsgCrossings crossings;
+  tree_.ForEachSolid(ray, crossings,
+                     [&](std::uint32_t part) { AddCrossings(solids_[number_[part]], ray, crossings); });
+  if (crossings.empty()) return {};
+  Sort(crossings);
+  Insides insides(links_);
   for (std::size_t first = 0, last = 0; first < crossings.size(); first = last) {
     last = EndOfGroup(crossings, first);
+    const auto group = static_cast<std::uint32_t>(last);
     const bool before = insides.OfAll();
-    for (std::size_t i = first; i < last; ++i) insides.Cross(crossings[i].part, crossings[i].enters, last);
+    for (std::size_t i = first; i < last; ++i) insides.Cross(crossings[i].part, crossings[i].enters, group);
     if (insides.OfAll() == before) continue;
     // Among those that bring about the change, the first part is seen, as with all that coincides.
     const CsgCrossing* seen = nullptr;
     for (std::size_t i = first; i < last; ++i)
-      if ((!seen || crossings[i].part < seen->part) && insides.HaveChangedUpFrom(crossings[i].part, last))
+      if ((!seen || crossings[i].part < seen->part) && insides.HaveChangedUpFrom(crossings[i].part, group))
         seen = &crossings[i];
     assert(seen);
     if (!(seen->t > ray.t_min)) continue;

@@ -1,27 +1,14 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "R3/CsgOperation.h"
-#include "R3/ElementTree.h"
+#include "R3/CsgPart.h"
+#include "R3/CsgSolid.h"
+#include "R3/CsgTree.h"
 #include "R3/Shape.h"
-#include "R3/Transform.h"
 
 namespace R3 {
-
-/// A solid of a Csg, or an operation on the parts that name it their parent.
-struct CsgPart {
-  static constexpr int no_parent = -1, no_material = -1;
-
-  int parent = no_parent;  // an earlier part
-  CsgOperation operation = CsgOperation::unite;
-  std::shared_ptr<const Shape> solid{};  // null for an operation
-  Transform csg_from_solid{};
-  double slack = 0;  // by how much rounding of the frame's matrices may move the solid, in the csg's own units
-  int material = no_material;  // of the solid, numbered by the caller; none: that of the whole Csg
-};
 
 /// A solid made of solids (constructive solid geometry).
 ///
@@ -43,6 +30,7 @@ class Csg : public Shape {
  public:
   /// The first of the parts is the whole; every operation has a part. Solids are bounded and closed.
   explicit Csg(std::vector<CsgPart> parts);
+  Csg(const Csg&) = delete;
 
   Box Bounds(int) const override { return bounds_; }
   std::optional<Hit> Intersect(const Ray& ray, int) const override;
@@ -54,6 +42,7 @@ class Csg : public Shape {
   int MaterialOf(const Hit& hit) const override { return parts_[PartOf(hit)].material; }
 
  private:
+  class Insides;
   /// What an Intersect of a solid found again.
   struct OfSolid {
     const Shape& solid;
@@ -61,14 +50,24 @@ class Csg : public Shape {
     Hit hit;
     int element;
   };
+  /// What following a ray from crossing to crossing needs to know of a part.
+  struct Link {
+    std::uint32_t parent = 0;
+    CsgOperation operation = CsgOperation::unite;
+    bool is_first = false;      // of its parent's parts
+    std::int32_t children = 0;  // how many parts name this one their parent
+  };
 
   static std::size_t PartOf(const Hit& hit) { return static_cast<std::size_t>(hit.part); }
   OfSolid Again(const Ray& ray, const Hit& hit) const;
-  void FindBounds();
+  std::vector<Box> BoxesOfParts() const;
 
   std::vector<CsgPart> parts_;
-  std::vector<std::optional<ElementTree>> elements_;  // of the parts that are solids
-  std::vector<char> is_inside_out_;                   // whether the part is subtracted an odd number of times
+  std::vector<Link> links_;            // of the parts
+  std::vector<CsgSolid> solids_;       // those that can be hit
+  std::vector<std::uint32_t> number_;  // of a part's solid in solids_
+  std::vector<char> is_inside_out_;    // whether the part is subtracted an odd number of times
+  CsgTree tree_;
   Box bounds_;
   bool is_empty_ = false;
 };

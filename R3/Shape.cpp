@@ -5,6 +5,19 @@
 
 namespace R3 {
 
+Crossings Shape::CrossingsAlong(const Ray& ray, int element) const {
+  Crossings crossings;
+  Ray rest = ray;
+  while (crossings.count < Crossings::most) {
+    const auto hit = Intersect(rest, element);
+    if (!hit) return crossings;
+    crossings.Add(*hit);
+    rest.t_min = hit->t;
+  }
+  crossings.may_have_more = true;
+  return crossings;
+}
+
 MeshData Shape::Tessellate(int fineness) const {
   if (IsDegenerate()) return {};
   constexpr int least = 600;

@@ -6,6 +6,7 @@
 
 #include "R2/Point.h"
 #include "R3/Box.h"
+#include "R3/Crossings.h"
 #include "R3/Hit.h"
 #include "R3/Intersection.h"
 #include "R3/MeshData.h"
@@ -59,8 +60,14 @@ class Shape {
   ///   accuracy  ray.At(t) lies within 32 u (D + size) of the surface, D the distance from ray.origin to it
   virtual std::optional<Hit> Intersect(const Ray& ray, int element) const = 0;
 
+  /// The first crossings with the element, bit for bit those that Intersect returns when it is asked again with the
+  /// last t as t_min. A shape that finds several at once overrides it.
+  virtual Crossings CrossingsAlong(const Ray& ray, int element) const;
+
   /// The surface at a hit that Intersect returned for the same ray and element.
   virtual Intersection At(const Ray& ray, const Hit& hit, int element) const = 0;
+  /// At, in less time: texture coordinates and ends of v may be missing.
+  virtual Intersection PlaceAt(const Ray& ray, const Hit& hit, int element) const { return At(ray, hit, element); }
 
   /// How the texture coordinates of At run over the surface there; only bump and normal maps ask for it. Tangents are 0
   /// or parallel where there is no telling, as at the pole of a sphere; maps tilt nothing there. Unless a shape says

@@ -14,6 +14,9 @@ namespace R3 {
 /// Nearest crossing of a ray with a sphere, strictly between ray.t_min and ray.t_max.
 std::optional<Hit> IntersectSphere(const Ray& ray, const SphereData& sphere);
 
+/// Both crossings.
+Crossings CrossSphere(const Ray& ray, const SphereData& sphere);
+
 /// IntersectSphere strictly between other limits, compiled into its caller: for callers that are themselves compiled
 /// for an instruction set.
 inline std::optional<Hit> IntersectSphereInline(const Ray& ray, const SphereData& sphere, double t_min, double t_max) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "R3/Box.h"
+#include "R3/Crossings.h"
 #include "R3/Hit.h"
 #include "R3/Ray.h"
 
@@ -26,6 +27,15 @@ struct Span {
     if (enter > t_min) return enter < t_max ? std::optional(Hit{enter, 0, 0, enter_part}) : std::nullopt;
     if (leave > t_min && leave < t_max) return Hit{leave, 0, 0, leave_part};
     return {};
+  }
+  /// Both ends, as far as First returns them when it is asked again.
+  Crossings Ends(const Ray& ray) const {
+    Crossings ends;
+    const auto first = First(ray);
+    if (!first) return ends;
+    ends.Add(*first);
+    if (const auto second = First(first->t, ray.t_max)) ends.Add(*second);
+    return ends;
   }
 };
 

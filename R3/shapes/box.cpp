@@ -17,17 +17,23 @@ class BoxShape : public Shape {
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     if (is_degenerate_ || IsLeavingBox(box_, ray)) return {};
-    Span span;
-    for (int axis = 0; axis < 3; ++axis)
-      ClipToSlab(span, box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis], 2 * axis, 2 * axis + 1);
-    return span.First(ray);
+    return InsideOf(ray).First(ray);
   }
 
-  Intersection At(const Ray& ray, const Hit& hit, int) const override {
-    const Point p = ray.At(hit.t);
-    Intersection at = OnFace(hit.part, [&](int axis) { return Within(p[axis], axis); });
+  Crossings CrossingsAlong(const Ray& ray, int) const override {
+    if (is_degenerate_) return {};
+    return InsideOf(ray).Ends(ray);
+  }
+
+  Intersection At(const Ray& ray, const Hit& hit, int element) const override {
+    Intersection at = BoxShape::PlaceAt(ray, hit, element);
     at.uv = TextureCoordinates(at.position, hit.part);
     return at;
+  }
+
+  Intersection PlaceAt(const Ray& ray, const Hit& hit, int) const override {
+    const Point p = ray.At(hit.t);
+    return OnFace(hit.part, [&](int axis) { return Within(p[axis], axis); });
   }
 
   UvTangents UvTangentsAt(const Ray&, const Hit& hit, int) const override {
@@ -86,6 +92,13 @@ class BoxShape : public Shape {
   }
 
  private:
+  Span InsideOf(const Ray& ray) const {
+    Span span;
+    for (int axis = 0; axis < 3; ++axis)
+      ClipToSlab(span, box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis], 2 * axis, 2 * axis + 1);
+    return span;
+  }
+
   static bool IsLineOrLess(const Vector& size) { return (size.x > 0) + (size.y > 0) + (size.z > 0) < 2; }
 
   /// The place on a face with these coordinates along the other axes.

@@ -34,15 +34,19 @@ class Cone : public Shape {
     if (!IsInRange(radius_ * radius_ + height_ * height_)) [[unlikely]]
       return IntersectScaled(ray);
     Span span;
-    // Between base and apex only one of the two mirror cones is left, and it is convex. The plane through the apex is
-    // no face of its own: it touches the solid in the apex alone.
-    ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, base, side);
-    if (!ClipToSide(span, ray)) return {};
-    // A flat cone's side and base meet so sharply that the rounding of either would move the rim outward by `slope`
-    // times as much; the cylinder around the rim says better where it ends.
-    constexpr double flat_slope = 4;
-    if (slope_ > flat_slope && !ClipToCylinder(span, ray, center_, radius_, side)) return {};
-    return span.First(ray);
+    return Clip(span, ray) ? span.First(ray) : std::nullopt;
+  }
+
+  Crossings CrossingsAlong(const Ray& ray, int element) const override {
+    if (IsDegenerate() || !IsInRange(radius_ * radius_ + height_ * height_)) return Shape::CrossingsAlong(ray, element);
+    Span span;
+    return Clip(span, ray) ? span.Ends(ray) : Crossings();
+  }
+
+  Intersection PlaceAt(const Ray& ray, const Hit& hit, int) const override {
+    const Point p = ray.At(hit.t);
+    if (hit.part == base) return AtCap(p, center_, radius_, low_, -1);
+    return OnSide(Unit({p.x - center_.x, 0, p.z - center_.z}), std::clamp(p.y, low_, high_));
   }
 
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
@@ -99,6 +103,18 @@ class Cone : public Shape {
 
  private:
   enum Part { side, base };
+
+  /// Returns false on a certain miss.
+  bool Clip(Span& span, const Ray& ray) const {
+    // Between base and apex only one of the two mirror cones is left, and it is convex. The plane through the apex is
+    // no face of its own: it touches the solid in the apex alone.
+    ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, base, side);
+    if (!ClipToSide(span, ray)) return false;
+    // A flat cone's side and base meet so sharply that the rounding of either would move the rim outward by `slope`
+    // times as much; the cylinder around the rim says better where it ends.
+    constexpr double flat_slope = 4;
+    return slope_ <= flat_slope || ClipToCylinder(span, ray, center_, radius_, side);
+  }
 
   /// The outward direction is zero at the apex.
   Intersection OnSide(const Vector& outward, double y) const {

@@ -29,9 +29,18 @@ class Cylinder : public Shape {
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     if (IsDegenerate() || IsLeaving(ray)) return {};
     Span span;
-    ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, bottom, top);
-    if (!ClipToCylinder(span, ray, center_, radius_, side)) return {};
-    return span.First(ray);
+    return Clip(span, ray) ? span.First(ray) : std::nullopt;
+  }
+
+  Crossings CrossingsAlong(const Ray& ray, int) const override {
+    Span span;
+    return !IsDegenerate() && Clip(span, ray) ? span.Ends(ray) : Crossings();
+  }
+
+  Intersection PlaceAt(const Ray& ray, const Hit& hit, int) const override {
+    const Point p = ray.At(hit.t);
+    if (hit.part != side) return AtCap(p, center_, radius_, hit.part == top ? high_ : low_, hit.part == top ? 1 : -1);
+    return OnSide(Unit({p.x - center_.x, 0, p.z - center_.z}), std::clamp(p.y, low_, high_));
   }
 
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
@@ -86,6 +95,12 @@ class Cylinder : public Shape {
 
  private:
   enum Part { side, bottom, top };
+
+  /// Returns false on a certain miss.
+  bool Clip(Span& span, const Ray& ray) const {
+    ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, bottom, top);
+    return ClipToCylinder(span, ray, center_, radius_, side);
+  }
 
   /// Whether the ray certainly leaves without a hit, as most rays do that begin on the surface.
   bool IsLeaving(const Ray& ray) const {

@@ -35,6 +35,20 @@ class Paraboloid : public Shape {
     return span.First(ray);
   }
 
+  Crossings CrossingsAlong(const Ray& ray, int) const override {
+    if (IsDegenerate()) return {};
+    Span span;
+    ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, base, side);
+    return ClipToSide(span, ray) ? span.Ends(ray) : Crossings();
+  }
+
+  Intersection PlaceAt(const Ray& ray, const Hit& hit, int) const override {
+    const Point p = ray.At(hit.t);
+    if (hit.part == base) return AtCap(p, center_, radius_, low_, -1);
+    const Vector across{p.x - center_.x, 0, p.z - center_.z};
+    return OnSideBeside(p, across, Unit(across));
+  }
+
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
     const Point p = ray.At(hit.t);
     return hit.part == base ? AtCap(p, center_, radius_, low_, -1) : OnSideNear(p);
@@ -92,15 +106,19 @@ class Paraboloid : public Shape {
   /// since around the apex a height says little about the radius.
   Intersection OnSideNear(const Point& p) const {
     const Vector across{p.x - center_.x, 0, p.z - center_.z}, outward = Unit(across);
-    const double share = std::min(1.0, Length(across) / radius_);
-    const bool is_steep = 2 * share > radius_ / height_;
-    const double y = std::clamp(p.y, low_, high_);
-    Intersection at = is_steep ? OnSide(outward, std::sqrt((high_ - y) / height_), y)
-                               : OnSide(outward, share, std::max(low_, high_ - share * share * height_));
+    Intersection at = OnSideBeside(p, across, outward);
     at.uv = {outward == Vector{} ? 0 : TurnAboutY(outward),
              1 - R1::Hypot(at.position.x - center_.x, at.position.z - center_.z) / radius_};
     at.v_ends = {VEnd::rim, VEnd::pole};
     return at;
+  }
+
+  Intersection OnSideBeside(const Point& p, const Vector& across, const Vector& outward) const {
+    const double share = std::min(1.0, Length(across) / radius_);
+    const bool is_steep = 2 * share > radius_ / height_;
+    const double y = std::clamp(p.y, low_, high_);
+    return is_steep ? OnSide(outward, std::sqrt((high_ - y) / height_), y)
+                    : OnSide(outward, share, std::max(low_, high_ - share * share * height_));
   }
 
   /// The outward direction is zero at the apex. Of the two numbers one is given and the other follows; that is off by

@@ -22,6 +22,12 @@ class Sphere : public Shape {
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override { return IntersectSphere(ray, {center_, radius_}); }
 
+  Crossings CrossingsAlong(const Ray& ray, int) const override { return CrossSphere(ray, {center_, radius_}); }
+
+  Intersection PlaceAt(const Ray& ray, const Hit& hit, int) const override {
+    return OnSurface(Unit(ray.At(hit.t) - center_));
+  }
+
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
     const Vector outward = Unit(ray.At(hit.t) - center_);
     Intersection at = OnSurface(outward);  // pushed back onto the surface

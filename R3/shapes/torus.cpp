@@ -96,10 +96,28 @@ class Torus : public Shape {
   Profile ProfileInBounds() const override { return Profile::Upright(); }
 
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
-    if (IsDegenerate() || !IsFinite(ray.direction) || !IsFinite(FromOrigin(ray.origin))) return {};
-    for (const double t : Crossings(ray).at)
+    if (!MayMeet(ray)) return {};
+    for (const double t : PlacesAlong(ray).at)
       if (t > ray.t_min) return t < ray.t_max ? std::optional(Hit{t}) : std::nullopt;
     return {};
+  }
+
+  Crossings CrossingsAlong(const Ray& ray, int) const override {
+    Crossings crossings;
+    if (!MayMeet(ray)) return crossings;
+    double after = ray.t_min;
+    for (const double t : PlacesAlong(ray).at) {
+      if (!(t > after)) continue;
+      if (!(t < ray.t_max)) break;
+      crossings.Add({t});
+      after = t;
+    }
+    return crossings;
+  }
+
+  Intersection PlaceAt(const Ray& ray, const Hit& hit, int) const override {
+    const auto [outward, from_tube] = DirectionsTo(ray.At(hit.t));
+    return OnTube(outward, from_tube);
   }
 
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
@@ -176,6 +194,10 @@ class Torus : public Shape {
     return R1::Hypot(R1::Hypot(p.x, p.z) - major_, p.y) < minor_;
   }
 
+  bool MayMeet(const Ray& ray) const {
+    return !IsDegenerate() && IsFinite(ray.direction) && IsFinite(FromOrigin(ray.origin));
+  }
+
   static constexpr double pad = 0x1p-40;  // by which the sphere and the planes around the ring are widened
 
   /// The s at which a line p + s v is within a sphere around the origin; empty, or with a NaN, if nowhere.
@@ -197,7 +219,7 @@ class Torus : public Shape {
   /// ring that can be seen. What is inside, and how close rays pass, is therefore decided as by exact arithmetic.
   /// Own derivation; oracle: 113-bit arithmetic in tests/extremes/torus.cpp.
   R3_USES_FMA
-  Places<4> Crossings(const Ray& ray) const {
+  Places<4> PlacesAlong(const Ray& ray) const {
     Places<4> crossings;
     crossings.at.fill(infinity);
     const double R = to_unit_ * major_, r = to_unit_ * minor_, largest = MaxComponent(Abs(ray.direction));

@@ -385,8 +385,45 @@ std::optional<std::vector<double>> Expected(const Judged& judged, double scale) 
   return expected;
 }
 
-TEST(Csg, RandomTreesAreHitWhereSetsOfPointsSay) {
+/// How many rays could be judged.
+struct Verdicts {
   int judged = 0, undecided = 0;
+};
+
+/// Compares the hits of rays at a tree with the judge's.
+void Judge(const Tree& tree, Draw& draw, int rays, double scale, Verdicts& verdicts) {
+  const auto csg = CsgOf(tree.ToNode());
+  if (csg->IsDegenerate()) return;
+  for (int i = 0; i < rays; ++i) {
+    const R3::Ray ray = RayAt(draw, csg->Bounds(0));
+    const auto expected = Expected(tree.Along(ray), scale);
+    if (!expected) {
+      ++verdicts.undecided;
+      continue;
+    }
+    ++verdicts.judged;
+    const std::vector<double> hits = AllHits(*csg, {ray.origin, ray.direction, -R3::infinity});
+    ASSERT_EQ(hits.size(), expected->size())
+        << testing::PrintToString(hits) << testing::PrintToString(*expected) << scale << ' ' << oracle::Hex(ray);
+    for (std::size_t k = 0; k < hits.size(); ++k) EXPECT_NEAR(hits[k], (*expected)[k], 1e-11 * scale);
+    // A ray that begins on its way finds the rest of them, to the bit.
+    if (hits.empty()) continue;
+    const std::vector<double> rest = AllHits(*csg, {ray.origin, ray.direction, hits[0]});
+    EXPECT_TRUE(std::equal(rest.begin(), rest.end(), hits.begin() + 1, hits.end()));
+    // So does one that begins and ends anywhere, which need not ask all solids.
+    R3::Ray part = ray;
+    part.t_min = draw.Between(hits.front() - scale, hits.back()), part.t_max = draw.Between(part.t_min, hits.back());
+    const auto first = std::ranges::upper_bound(hits, part.t_min);
+    const auto hit = csg->Intersect(part, 0);
+    ASSERT_EQ(hit.has_value(), first != hits.end() && *first < part.t_max) << oracle::Hex(part);
+    if (hit) {
+      EXPECT_EQ(hit->t, *first) << oracle::Hex(part);
+    }
+  }
+}
+
+TEST(Csg, RandomTreesAreHitWhereSetsOfPointsSay) {
+  Verdicts verdicts;
   // CSG_TREES is how many trees there are in all, with CSG_RAYS_OF_TREE rays each.
   const int trees = Asked("CSG_TREES", 180, 9000) / 3, rays = Asked("CSG_RAYS_OF_TREE", 100, 1000);
   for (const double scale : {1.0, 1e-6, 1e6})
@@ -394,28 +431,41 @@ TEST(Csg, RandomTreesAreHitWhereSetsOfPointsSay) {
       Draw draw(static_cast<std::uint64_t>(seed) + 5900);
       Tree tree{.operation = static_cast<R3::CsgOperation>(seed % 3)};
       for (int i = 0; i < 3; ++i) tree.children.push_back(RandomTree(draw, 3, scale));
-      const auto csg = CsgOf(tree.ToNode());
-      if (csg->IsDegenerate()) continue;
-      for (int i = 0; i < rays; ++i) {
-        const R3::Ray ray = RayAt(draw, csg->Bounds(0));
-        const auto expected = Expected(tree.Along(ray), scale);
-        if (!expected) {
-          ++undecided;
-          continue;
-        }
-        ++judged;
-        const std::vector<double> hits = AllHits(*csg, {ray.origin, ray.direction, -R3::infinity});
-        ASSERT_EQ(hits.size(), expected->size()) << testing::PrintToString(hits) << testing::PrintToString(*expected)
-                                                 << "seed " << seed + 5900 << ' ' << scale << ' ' << oracle::Hex(ray);
-        for (std::size_t k = 0; k < hits.size(); ++k) EXPECT_NEAR(hits[k], (*expected)[k], 1e-11 * scale);
-        // A ray that begins on its way finds the rest of them, to the bit.
-        if (hits.empty()) continue;
-        const std::vector<double> rest = AllHits(*csg, {ray.origin, ray.direction, hits[0]});
-        EXPECT_TRUE(std::equal(rest.begin(), rest.end(), hits.begin() + 1, hits.end()));
-      }
+      SCOPED_TRACE("seed " + std::to_string(seed + 5900));
+      Judge(tree, draw, rays, scale, verdicts);
+      if (HasFatalFailure()) return;
     }
-  EXPECT_GT(judged, 3 * trees * rays / 2);
-  EXPECT_LT(undecided, judged / 100);
+  EXPECT_GT(verdicts.judged, 3 * trees * rays / 2);
+  EXPECT_LT(verdicts.undecided, verdicts.judged / 100);
+}
+
+TEST(Csg, ManySolidsAreHitWhereSetsOfPointsSay) {
+  // Side by side and in one another, so that boxes leave most of them out.
+  Verdicts verdicts;
+  const int trees = Count(20, 400), rays = Count(50, 500);
+  for (int seed = 0; seed < trees; ++seed) {
+    Draw draw(static_cast<std::uint64_t>(seed) + 7300);
+    const auto operation = [&] { return static_cast<R3::CsgOperation>(draw.Whole(0, 2)); };
+    const auto small = [&] {
+      Tree leaf{.solid = oracle::Solid{"sphere", {draw.Between(-4, 4), draw.Between(-4, 4), draw.Between(-4, 4), 1}}};
+      if (draw.Whole(0, 1) == 0) leaf.solid = oracle::Solid{"box", {-3, -3, -3, 3, draw.Between(-2, 3), 3}};
+      if (draw.Whole(0, 1) == 0) leaf.frame = draw.Affine(0);
+      return leaf;
+    };
+    Tree tree = small();
+    for (int level = 0; level < 20; ++level) {
+      Tree next{.operation = operation()}, many;
+      for (int i = draw.Whole(1, 12); i > 0; --i) many.children.push_back(small());
+      next.children = {std::move(tree), std::move(many)};
+      if (draw.Whole(0, 3) == 0) std::swap(next.children[0], next.children[1]);
+      tree = std::move(next);
+    }
+    SCOPED_TRACE("seed " + std::to_string(seed + 7300));
+    Judge(tree, draw, rays, 1, verdicts);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(verdicts.judged, trees * rays / 2);
+  EXPECT_LT(verdicts.undecided, verdicts.judged / 100);
 }
 
 TEST(Csg, HandlesHundredsOfCrossingsOfOneSolid) {

@@ -123,6 +123,36 @@ TEST(EveryShape, NarrowingTheRayDropsCrossingsButNeverChangesThem) {
   });
 }
 
+TEST(EveryShape, HasTheCrossingsThatIntersectFindsOneByOne) {
+  Draw draw(707);
+  ForManyHits(706, [&](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
+    R3::Ray rest = ray;
+    rest.t_min = draw.Whole(0, 1) == 0 ? hit.t : draw.Between(-4, 1) * hit.t;
+    if (draw.Whole(0, 3) == 0) rest.t_max = draw.Between(1, 4) * hit.t;
+    const R3::Crossings all = s.shape->CrossingsAlong(rest, 0);
+    for (std::size_t i = 0; i < all.count; ++i) {
+      const auto next = s.shape->Intersect(rest, 0);
+      ASSERT_TRUE(next) << s.name << ' ' << i;
+      EXPECT_EQ(all.hits[i].t, next->t) << s.name;
+      EXPECT_EQ(all.hits[i].part, next->part) << s.name;
+      rest.t_min = next->t;
+    }
+    if (!all.may_have_more) {
+      EXPECT_FALSE(s.shape->Intersect(rest, 0)) << s.name;
+    }
+  });
+}
+
+TEST(EveryShape, HasThePlacesOfItsHitsWithoutTextures) {
+  ForManyHits(708, [](const Subject& s, const R3::Ray& ray, const R3::Hit& hit) {
+    const R3::Intersection at = s.shape->At(ray, hit, 0), place = s.shape->PlaceAt(ray, hit, 0);
+    EXPECT_EQ(place.position, at.position) << s.name;
+    EXPECT_EQ(AsVector(place.normal), AsVector(at.normal)) << s.name;
+    EXPECT_EQ(AsVector(place.shading_normal), AsVector(at.shading_normal)) << s.name;
+    EXPECT_EQ(place.error, at.error) << s.name;
+  });
+}
+
 TEST(EveryShape, IsMissedByRaysThatAreNoRays) {
   const double nan = std::nan("");
   for (const Subject& s : EveryShape()) {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "R3/CsgPart.h"
+#include "R3/ElementTree.h"
+
+namespace R3 {
+
+/// A solid of a Csg, with what all rays need to know of it.
+struct CsgSolid {
+  /// The solid of a part that has one; the part must outlive it.
+  CsgSolid(const CsgPart& of, std::uint32_t number);
+
+  /// How far off the surface a crossing may be, in the csg's frame, for a ray whose origin has coordinates of at most
+  /// `farthest`, rounded up generously: base + share * farthest.
+  struct Pad {
+    double base = 0, share = 0;
+  };
+  Pad PadOfCrossings() const;
+
+  const CsgPart* part;
+  std::uint32_t number;  // of the part
+  ElementTree elements;
+  bool has_one_element, is_in_place;  // in the csg's frame
+  Point center;                       // of the solid's box in its own frame
+  double radius, reach;               // half its diagonal; its largest coordinate
+  Box bounds;                         // in the csg's frame, wherever rounding may have moved the solid
+};
+
+}  // namespace R3
