@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <iterator>
 #include <stdexcept>
-#include <string>
 
 #include "source/app/Status.h"
 
@@ -16,30 +16,56 @@ namespace ray {
 namespace {
 
 // A signal handler reaches nothing but statics, and of those only what is lock-free.
-std::atomic<bool> stop{false};
+std::atomic<bool> stop{false}, had_urgent{false};
 std::atomic<int> stop_signal{0};
 std::atomic<const char*> doomed_file{nullptr};
 static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
+/// A signal that asks to stop.
+///   is_urgent   the second of these ends the program at once. Others come again by themselves: SIGHUP from a terminal
+///               and from its shell, before or after a SIGTERM, and SIGXCPU with each further second.
+struct StopSignalKind {
+  int number;
+  const char* name;
+  bool is_urgent;
+};
+constexpr StopSignalKind stop_signals[]{{SIGHUP, "SIGHUP", false},
+                                        {SIGXCPU, "SIGXCPU", false},
+                                        {SIGINT, "SIGINT", true},
+                                        {SIGTERM, "SIGTERM", true}};
+
+template <bool is_urgent>
 void OnInterrupt(int signal) {
   const int saved_errno = errno;
   int none = 0;
   stop_signal.compare_exchange_strong(none, signal);
-  if (stop.exchange(true)) {
+  stop = true;
+  if (is_urgent && had_urgent.exchange(true)) {
     if (const char* file = doomed_file.load()) unlink(file);
     _exit(status::killed_by + signal);
   }
   errno = saved_errno;
 }
 
-void Catch(int signal) {
+void Catch(const StopSignalKind& signal) {
   struct sigaction action = {};
-  sigaction(signal, nullptr, &action);
+  sigaction(signal.number, nullptr, &action);
   if (action.sa_handler == SIG_IGN) return;
   action = {};
-  action.sa_handler = OnInterrupt;
+  action.sa_handler = signal.is_urgent ? OnInterrupt<true> : OnInterrupt<false>;
   action.sa_flags = SA_RESTART;  // a write in progress goes on
-  sigaction(signal, &action, nullptr);
+  sigaction(signal.number, &action, nullptr);
+}
+
+/// Asks for SIGXCPU before the hard limit of processor time, where the system sends SIGKILL instead: by a tenth of it,
+/// and 1 to 10 seconds, in which the image is encoded.
+void StopBeforeHardLimit() {
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_CPU, &limit) != 0 || limit.rlim_max == RLIM_INFINITY) return;
+  const rlim_t left_to_save = std::clamp<rlim_t>(limit.rlim_max / 10, 1, 10);
+  if (limit.rlim_max <= left_to_save || limit.rlim_cur <= limit.rlim_max - left_to_save) return;
+  limit.rlim_cur = limit.rlim_max - left_to_save;
+  setrlimit(RLIMIT_CPU, &limit);
 }
 
 void Ignore(int signal) {
@@ -70,12 +96,16 @@ void RequireStack() {
 }
 
 void CatchInterrupts() {
-  Catch(SIGINT);
-  Catch(SIGTERM);
+  for (const StopSignalKind& signal : stop_signals) Catch(signal);
+  StopBeforeHardLimit();
 }
 
 const std::atomic<bool>* StopRequested() { return &stop; }
 int StopSignal() { return stop_signal.load(); }
+std::string StopSignalName() {
+  const auto* const found = std::ranges::find(stop_signals, StopSignal(), &StopSignalKind::number);
+  return found == std::end(stop_signals) ? "" : found->name;
+}
 void RemoveWhenKilled(const char* file) { doomed_file.store(file); }
 
 }  // namespace ray

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <string>
 
 /// Stop requests by signal.
 namespace ray {
@@ -18,12 +19,14 @@ inline constexpr long needed_stack = 256 << 10;
 /// std::runtime_error, which names both, where it does not.
 void RequireStack();
 
-/// From now on the first SIGINT or SIGTERM sets *StopRequested(); a second one ends the program at once. A signal that
-/// is ignored already (nohup, a background job of a script) stays ignored.
+/// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU set *StopRequested(); a second SIGINT or SIGTERM ends the program at
+/// once. A signal that is ignored already (nohup, a background job of a script) stays ignored.
 void CatchInterrupts();
 const std::atomic<bool>* StopRequested();
 /// The signal that asked to stop, 0 while none has.
 int StopSignal();
+/// Returns its name, such as "SIGINT"; empty while none has.
+std::string StopSignalName();
 
 /// The file a second signal removes before it ends the program; null for none. The text must outlive its turn.
 void RemoveWhenKilled(const char* file);

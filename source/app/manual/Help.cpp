@@ -184,7 +184,8 @@ const ProgramText& TextOf(Program program) {
           {"2", "Wrong arguments."},
           {"3", bad_scene},
           {"4", "The image cannot be written."},
-          {"130, 143", "Interrupted by SIGINT or SIGTERM; the image so far is saved, never over a finished one."}}};
+          {"129, 130, 143, 152",
+           "Stopped by SIGHUP, SIGINT, SIGTERM or SIGXCPU; the image so far is saved, never over a finished one."}}};
   static const ProgramText of_rayview{
       .names = "scene",
       .summary = "view a scene, and ray trace the view",

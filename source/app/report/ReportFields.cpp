@@ -26,7 +26,7 @@ std::span<const ReportField> ReportFields() {
       {"pixels", "done, total"},
       {"warnings", "lines printed to standard error"},
       {"stop",
-       "reason (\"samples\", \"time\", \"error\", \"stall\", \"SIGINT\" or \"SIGTERM\"), confidence, and "
+       "reason (\"samples\", \"time\", \"error\", \"stall\", or a signal such as \"SIGINT\"), confidence, and "
        "seconds and error (target, unit) asked for, or null"},
       {"features_required", "what the scene and the settings ask for, in words"},
       {"kernel", "the innermost loops that ran"},

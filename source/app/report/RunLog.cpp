@@ -1,7 +1,5 @@
 #include "source/app/report/RunLog.h"
 
-#include <signal.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -164,7 +162,7 @@ void RunLog::Rendered(const World& world, const Accelerator& accelerator, const 
   stats_.seconds.wall = watch_.Total();
   stats_.Take(result);
   if (stats_.options.explain && result.IsComplete()) PrintError("raypro: " + ExplainParts(stats_));
-  if (!result.IsComplete()) stats_.stop = StopSignal() == SIGTERM ? "SIGTERM" : "SIGINT";
+  if (!result.IsComplete()) stats_.stop = StopSignalName();
   const RenderSettings& render = stats_.options.render;
   constexpr std::int64_t fewest = 1000;  // of whose pixels 0.1 % is one
   if (result.has_outliers && result.pixels_total >= fewest)

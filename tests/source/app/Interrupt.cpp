@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <array>
+#include <cstdlib>
 #include <random>
 #include <thread>
+#include <utility>
 
 #include "R2/ImageFile.h"
 #include "tests/source/app/Program.h"
@@ -18,11 +21,13 @@ using namespace std::chrono_literals;
 TEST(Extremes, L5_ASignalEndsTheRunAndSavesTheImage) {
   NEEDS_THE_PROGRAM();
   std::mt19937 random(2);
-  const int rounds = Rounds("RAYTESTS_SIGNALS", 6);
+  const int rounds = Rounds("RAYTESTS_SIGNALS", 8);
+  constexpr std::array<std::pair<int, const char*>, 4> signals{
+      {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}, {SIGXCPU, "SIGXCPU"}}};
   int early = 0;  // on a busy machine, before anything was rendered
   for (int round = 0; round < rounds; ++round) {
     const SceneFolder place;
-    const int signal = round % 2 ? SIGTERM : SIGINT;
+    const auto [signal, name] = signals[static_cast<std::size_t>(round) % signals.size()];
     Running running({place.Scene(), place / "out.png", "-width", "3000", "-height", "3000", "-samples", "64"});
     running.WaitUntilItCatches(signal);
     std::this_thread::sleep_for(std::uniform_real_distribution(0.1, 0.5)(random) * 1s * project::patience);
@@ -42,7 +47,7 @@ TEST(Extremes, L5_ASignalEndsTheRunAndSavesTheImage) {
     EXPECT_TRUE(Has(settings["pixels"], " of 9000000 pixels done")) << settings["pixels"];
     EXPECT_GT(std::stod(settings["samples"]), 0);
     EXPECT_LT(std::stod(settings["samples"]), 64);
-    EXPECT_TRUE(Has(done.output, signal == SIGINT ? "stopped by SIGINT" : "stopped by SIGTERM")) << done.output;
+    EXPECT_TRUE(Has(done.output, std::string("stopped by ") + name)) << done.output;
     EXPECT_EQ(place.Others({"in.scn", "out.png", "out.png.checkpoint"}), nothing);
   }
   EXPECT_LT(early, rounds);
@@ -103,6 +108,54 @@ TEST(Extremes, L5_ASecondSignalQuitsAtOnceWithoutSaving) {
   EXPECT_TRUE(status == 128 + SIGINT || status == 128 + SIGTERM) << status;
   EXPECT_EQ(ReadFile(place / "out.ppm"), "old");
   EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing);
+}
+
+// A window that is closed sends SIGHUP by its terminal and by its shell, and the end of a session SIGTERM as well.
+TEST(Interrupt, SignalsThatComeTogetherByThemselvesLoseNothing) {
+  NEEDS_THE_PROGRAM();
+  for (const auto& signals : {std::vector{SIGHUP, SIGTERM, SIGHUP}, std::vector{SIGXCPU, SIGXCPU, SIGXCPU}}) {
+    const SceneFolder place;
+    Running running({place.Scene(), place / "out.ppm", "-width", "100", "-height", "100", "-samples", "100000000"});
+    running.WaitUntilItCatches(SIGTERM);
+    std::this_thread::sleep_for(400ms * project::patience);
+    running.Send(SIGSTOP);
+    for (const int signal : signals) running.Send(signal);
+    running.Send(SIGCONT);
+    const Finished done = running.Wait();
+    EXPECT_TRUE(Has(done.error, "progress saved")) << done.status << done.error;
+    EXPECT_EQ(place.Others({"in.scn", "out.ppm", "out.ppm.checkpoint"}), nothing);
+    EXPECT_TRUE(fs::exists(place / "out.ppm"));
+  }
+}
+
+// "exec" keeps the process, so that what a shell has set is the program's.
+Finished RunByShell(const SceneFolder& place, const std::string& before, const std::vector<std::string>& more) {
+  std::vector<std::string> words{"-c", before + "exec \"$RAYPRO\" \"$@\"", "sh", place.Scene(), place / "out.ppm"};
+  setenv("RAYTESTS_SHELL", "/bin/sh", 1);
+  return RunProgram(With(words, more), {.program = "RAYTESTS_SHELL"});
+}
+
+// `ulimit -t` sets the hard limit as well, where the system knows SIGKILL only.
+TEST(Interrupt, ALimitOfProcessorTimeSavesTheImage) {
+  NEEDS_THE_PROGRAM();
+  if (project::patience > 1) GTEST_SKIP() << "sanitizers take the seconds for themselves";
+  for (const std::string limit : {"ulimit -t 3; ", "ulimit -St 1; "}) {
+    const SceneFolder place;
+    const Finished done =
+        RunByShell(place, limit, {"-width", "64", "-height", "64", "-samples", "100000000", "-threads", "1"});
+    EXPECT_EQ(done.status, 128 + SIGXCPU) << limit << done.signal << done.error;
+    EXPECT_TRUE(fs::exists(place / "out.ppm")) << limit;
+    EXPECT_TRUE(fs::exists(place / "out.ppm.checkpoint")) << limit;
+  }
+}
+
+TEST(Interrupt, AnIgnoredHangupIsIgnored) {
+  NEEDS_THE_PROGRAM();
+  const SceneFolder place;
+  const Finished done = RunByShell(place, "trap '' HUP; (sleep 0.2; kill -HUP $$) & ",
+                                   {"-width", "64", "-height", "64", "-time", "1", "-samples", "100000000"});
+  EXPECT_EQ(done.status, 0) << done.error;
+  EXPECT_FALSE(Has(done.output, "SIGHUP")) << done.output;
 }
 
 }  // namespace

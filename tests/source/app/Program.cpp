@@ -67,9 +67,8 @@ void BreakPipe(int descriptor) {
   if (surroundings.break_output) BreakPipe(STDOUT_FILENO);
   if (surroundings.close_output) close(STDOUT_FILENO);
   if (surroundings.close_error) close(STDERR_FILENO);
-  // A background job of a script inherits these ignored.
-  signal(SIGINT, SIG_DFL);
-  signal(SIGTERM, SIG_DFL);
+  // A background job of a script inherits these ignored, as does what nohup starts.
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) signal(number, SIG_DFL);
   if (surroundings.file_size_limit >= 0) {
     const auto limit = static_cast<rlim_t>(surroundings.file_size_limit);
     const rlimit both = {limit, limit};
