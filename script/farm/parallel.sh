@@ -11,12 +11,13 @@
 # All further words are raypro's. RAYPRO names the program, here and there. See raypro-farm(7).
 set -eu
 fail() { printf 'parallel.sh: %s\n' "$2" >&2; exit "$1"; }
+say() { printf '%s\n' "$*"; }
 raypro=${RAYPRO:-raypro} hosts='' parts='' copy='' send='' show='' before='' machines=1
 while :; do
   case ${1:-} in -hosts | -parts) [ $# -ge 2 ] || fail 2 "$1 needs a value" ;; esac
   case ${1:-} in
-    -copy) copy="--cleanup --workdir raypro-farm-$(uname -n)-$$" ;;
-    -n) show=echo ;;
+    -copy) copy=raypro-farm-$(uname -n)-$$ ;;
+    -n) show=say ;;
     -hosts) hosts=$2; shift ;;
     -parts) parts=$2; shift ;;
     *) break ;;
@@ -29,20 +30,38 @@ scene=$1 out=$2; shift 2
 case $parts in *[!0-9]* | 0*) fail 2 "-parts must be a whole number above 0, got '$parts'" ;; esac
 [ -z "$hosts" ] || machines=$(grep -c '^[[:space:]]*[^#[:space:]]' "$hosts") || fail 3 "'$hosts' names no machine"
 parts=${parts:-$((4 * machines))}
+beside=$(dirname "$(readlink -f "$0" || echo "$0")")/raypro  # as make install puts it
+command -v "$raypro" > /dev/null || [ ! -x "$beside" ] || raypro=$beside
 command -v parallel > /dev/null || fail 1 "GNU parallel is not installed"
+# Lists of words have one a line, and no word of them is a pattern: names may hold blanks and brackets.
+IFS='
+'
+set -f
 for file in ${copy:+$("$raypro" "$scene" "$@" -files)}; do
   case $file in /* | *../*) fail 3 "-copy sends what lies below this folder, and the scene reads '$file'" ;; esac
-  send="$send --basefile $file"
+  send=$send$IFS--basefile=$file
 done
-# A machine that does not answer is given up after 15 s.
-export PARALLEL_SSH="${PARALLEL_SSH:-ssh -o BatchMode=yes -o ConnectTimeout=10 -o ServerAliveInterval=5}"
-# Beside the scene go the joblog, since it makes the image's folder there, and the plan that a round follows.
-# shellcheck disable=SC2046,SC2086  # words, of names without spaces
+set +f
+# A machine that does not answer is given up after 15 s,
+# and files are sent by rsync to names that parallel has quoted: since 3.2.4 it would quote them once more.
+export RSYNC_OLD_ARGS=1 PARALLEL_SSH="${PARALLEL_SSH:-ssh -o BatchMode=yes -o ConnectTimeout=10 -o ServerAliveInterval=5}"
+# Beside the scene go the joblog, since it makes the image's folder there, and the plan that a round follows. Words with
+# braces would be patterns to parallel: so all are sources of one value, and {2} stands for the first of them.
+# shellcheck disable=SC2086  # words
 render_parts() {
-  $show parallel -q --jobs 1 --retries 3 $([ ! -t 2 ] || echo --eta) --joblog "$out.joblog" \
-    ${hosts:+--sshloginfile "$hosts"} ${copy:---workdir "$PWD"} ${copy:+$send --return "$out.part-{}-of-$parts"} \
-    $(for file in ${copy:+"$out.joblog" "$out.plan"}; do [ ! -f "$file" ] || echo "--basefile $file"; done) \
-    "$raypro" "$scene" "$out" "$@" -quiet -part "{}/$parts"
+  set -f
+  more=$send words='' here='{2}' n=1
+  for file in "$out.joblog" "$out.plan"; do [ ! "$copy" ] || [ ! -f "$file" ] || more=$more$IFS--basefile=$file; done
+  [ ! "$copy" ] || more="$more$IFS--cleanup$IFS--return={3}.part-{1}-of-$parts"
+  [ ! "$hosts" ] || more=$more$IFS--sshloginfile=$hosts
+  [ ! -t 2 ] || more=$more$IFS--eta
+  set -- "$PWD" "$out" "$raypro" "$scene" "$out" "$@" -quiet
+  for word; do
+    n=$((n + 1)); [ $n -le 3 ] || words="$words$IFS{$n}"
+    shift; set -- "$@" ::: "$word"
+  done
+  $show parallel -q --jobs 1 --retries 3 --joblog "$out.joblog" --workdir "${copy:-$here}" $more $words -part "{1}/$parts" :::: - "$@"
+  set +f
 }
 [ ! "$show" ] || render_parts "$@"
 # Beside the parts, the image tells whether anything was done: another job of its name makes it and removes them.

@@ -11,12 +11,13 @@
 #   -n             print the commands, and run nothing
 # All further words are raypro's. RAYPRO names the program. Nodes must see this folder by this name. See raypro-farm(7).
 set -eu
+say() { printf '%s\n' "$*"; }
 fail() { printf 'slurm.sh: %s\n' "$2" >&2; exit "$1"; }
 raypro=${RAYPRO:-raypro} parts=16 sbatch='' show='' watch='' step=submit took=0 before='' self=$0
 while :; do
   case ${1:-} in -parts | -sbatch) [ $# -ge 2 ] || fail 2 "$1 needs a value" ;; esac
   case ${1:-} in
-    -n) show=echo ;;
+    -n) show=say ;;
     -watch) watch=yes ;;
     -parts) parts=$2; shift ;;
     -sbatch) sbatch=$2; shift ;;
@@ -29,6 +30,8 @@ done
 case $1 in -*) fail 2 "there is no option '$1'; options of raypro follow the scene and the image" ;; esac
 scene=$1 out=$2; shift 2
 case $parts in '' | *[!0-9]* | 0) fail 2 "-parts must be a whole number above 0, got '$parts'" ;; esac
+beside=$(dirname "$(readlink -f "$self" || echo "$self")")/raypro  # as make install puts it
+command -v "$raypro" > /dev/null || [ ! -x "$beside" ] || raypro=$beside
 [ "$step" != part ] || exec "$raypro" "$scene" "$out" "$@" -quiet -part "$SLURM_ARRAY_TASK_ID/$parts"
 case $self in /*) ;; *) self=$(cd "$(dirname "$self")" && pwd)/$(basename "$self") ;; esac
 [ "$show" ] && missing=1-$parts || missing=$("$raypro" "$scene" "$out" "$@" -missing "$parts")
@@ -41,10 +44,13 @@ fi
 # Beside the parts, the image tells whether anything was done: another job of its name makes it and removes them.
 now=$({ echo "$missing"; { ls -li "$out"; cat "$out.part-"*"-of-$parts" "$out.plan"; } 2> /dev/null || true; } | cksum | tr ' ' -)
 [ "$now" != "$before" ] || fail 1 "these parts failed, and nothing came of trying again: $missing"
+# To sbatch, % and a backslash in the name of a log are no letters.
+log=$(printf %s "$out.log" | sed '/\\/ { s/\\/&&/g; b
+}; s/%/%%/g')
 submit() {  # array or dependency, step, and all that follows
   when=$1 next=$2; shift 2
   # shellcheck disable=SC2086  # words of sbatch
-  $show sbatch --parsable $sbatch --job-name="$(basename "$out")" --output="$out.log" --open-mode=append \
+  $show sbatch --parsable $sbatch --job-name="$(basename "$out")" --output="$log" --open-mode=append \
     --signal=B:TERM@60 "$when" "$self" -step "$next" "$now" "$self" -parts "$parts" -sbatch "$sbatch" "$scene" "$out" "$@"
 }
 array=$(submit "--array=$missing" part "$@")

@@ -138,7 +138,7 @@ void PrintMissingParts(const Options& asked) {
   PartReader reader(options.render, options.files.picture, scene.identity);
   const PartWriter writer(options.render, options.files, scene.identity);
   if (is_timed && !reader.SecondsSinceBegin()) writer.WritePlan(reader.Round(), watch.Total());
-  RenderState round = reader.Joined(FilesLike(FilesOfParts(options)), options.missing);
+  RenderState round = reader.Joined(FilesLike(FilesOfParts(options), options.files.picture), options.missing);
   const auto lines_of = [&](const RenderState& state) {
     std::string lines;
     for (const int part : MissingParts(state, options.render, reader.PartsOf(options.missing)))

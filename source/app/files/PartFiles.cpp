@@ -106,6 +106,24 @@ double SecondsTitled(const std::string& title) {
   return seconds;
 }
 
+/// Returns the text as a part of a pattern in which these characters stand for themselves.
+std::string Literal(const std::string& text, std::string_view special) {
+  std::string pattern;
+  for (const char letter : text) {
+    if (special.find(letter) != std::string_view::npos) pattern += '\\';
+    pattern += letter;
+  }
+  return pattern;
+}
+
+std::vector<std::string> Matches(const std::string& pattern) {
+  glob_t found = {};
+  std::vector<std::string> names;
+  if (glob(pattern.c_str(), 0, nullptr, &found) == 0) names.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  globfree(&found);
+  return names;
+}
+
 [[noreturn]] void RefusePart(const std::string& name, const std::string& why) {
   throw SceneErrors({ErrorIn(name, "cannot be used for this image: " + why)});
 }
@@ -118,12 +136,18 @@ std::string PartName(const std::string& picture, const ImagePart& part) {
 
 std::string PlanName(const std::string& picture) { return picture + ".plan"; }
 
-std::vector<std::string> FilesLike(const std::string& pattern) {
-  glob_t found = {};
-  std::vector<std::string> names;
-  if (glob(pattern.c_str(), 0, nullptr, &found) == 0) names.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
-  globfree(&found);
-  return names;
+std::vector<std::string> FilesLike(const std::string& pattern, const std::string& picture) {
+  if (IsThere(pattern)) return {pattern};
+  const std::size_t at = pattern.rfind('/') + 1;  // 0 without a folder
+  std::string begin = pattern.substr(0, at), rest = pattern.substr(at);
+  if (IsThere(begin)) begin = Literal(begin, "*?[\\");
+  const std::string own = std::filesystem::path(picture).filename().string();
+  if (rest.starts_with(own)) {
+    begin += Literal(own, "*?[\\");
+    rest.erase(0, own.size());
+  }
+  const std::vector<std::string> names = Matches(begin + Literal(rest, "[\\"));
+  return names.empty() ? Matches(begin + rest) : names;
 }
 
 PartReader::PartReader(const RenderSettings& settings, const std::string& picture, const std::string& identity)
@@ -215,7 +239,7 @@ RenderState PartReader::Joined(const std::vector<std::string>& names, int of) {
 }
 
 RenderState StateOfParts(PartReader&& reader, const std::string& pattern) {
-  const std::vector<std::string> names = FilesLike(pattern);
+  const std::vector<std::string> names = FilesLike(pattern, reader.Picture());
   if (names.empty())
     PrintError("raypro: warning: no file is named " + Quoted(pattern) + "; the whole image is rendered here");
   return reader.Joined(names, 0);

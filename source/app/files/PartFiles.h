@@ -15,8 +15,11 @@ namespace ray {
 std::string PartName(const std::string& picture, const ImagePart& part);
 std::string PlanName(const std::string& picture);
 
-/// Files whose names match a pattern of the shell, sorted; none where nothing does.
-std::vector<std::string> FilesLike(const std::string& pattern);
+/// Returns the files that a pattern of the shell names, sorted. Names come first: a file or folder of just that name,
+/// then the image's own name at its beginning, then the pattern with brackets and backslashes as letters of the names,
+/// so that "shot[1].png.part-*" means parts of "shot[1].png"; and only where nothing is named so, the whole pattern.
+///   picture   the image's file name, as typed
+std::vector<std::string> FilesLike(const std::string& pattern, const std::string& picture);
 
 /// What a file of a part holds.
 struct PartFile {
@@ -52,6 +55,7 @@ class PartReader {
   RenderState Joined(const std::vector<std::string>& names, int of);
 
   const Film& film() const { return film_; }
+  const std::string& Picture() const { return picture_; }
   /// PartsOfBlocks, found once for as long as `of` stays the same.
   const std::vector<int>& PartsOf(int of);
 

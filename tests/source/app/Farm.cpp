@@ -128,6 +128,59 @@ TEST(Farm, PartsInAnyOrderOnAnyMachineMakeOneImage) {
   }
 }
 
+/// Names that mean something else to a shell's patterns, to printf or to GNU parallel.
+const List odd_names{"shot[1].png", "[!a]*?.png", "a\\nb\\\\.png", "s{}h{1}{.}.png", "50%d {a,b}.png", "]x[.png"};
+
+TEST(Farm, NamesOfImagesAreNeverPatterns) {
+  NEEDS_THE_PROGRAM();
+  for (const std::string& name : odd_names) {
+    const PartsPlace place;
+    EXPECT_EQ(place.Run(name, {}).status, 0);
+    const std::string expected = ReadFile(place / name);
+    std::filesystem::remove(place / name);
+    WriteFile(place / "shot1.png.part-1-of-3", "a part of another image");
+    for (int i = 1; i <= 3; ++i)
+      EXPECT_EQ(place.Run(name, {"-part", std::to_string(i) + "/3"}).status, 0) << name;
+    const Finished missing = place.Run(name, {"-missing", "3"});
+    EXPECT_EQ(missing.output + missing.error, "") << name;
+    // Of a part that is not found, the samples would be rendered again.
+    const Finished done = place.Run(name, {"-parts", place / (name + ".part-*"), "-explain"});
+    EXPECT_EQ(done.status, 0) << done.error;
+    EXPECT_FALSE(Has(done.error, "no file is named")) << done.error;
+    EXPECT_TRUE(ReadFile(place / name) == expected) << name;
+  }
+}
+
+TEST(Farm, APatternFindsNamesBeforeItIsAPattern) {
+  const TemporaryFolder place;
+  const std::string odd_folder = place / "in[1]";
+  std::filesystem::create_directory(odd_folder);
+  std::filesystem::create_directory(place / "in1");
+  for (const char* name : {"a.png.part-1-of-3", "a.png.part-2-of-3", "a.png.part-3-of-3", "b[1].png.part-1-of-2",
+                           "b1.png.part-1-of-2", "c*.png.part-1-of-1", "cd.png.part-1-of-1", "e.png.part-[1]"})
+    WriteFile(place / name, "");
+  WriteFile(odd_folder + "/a.png.part-1-of-1", "");
+  WriteFile(place / "in1/a.png.part-1-of-1", "");
+  const auto found = [&](const std::string& pattern, const std::string& picture) {
+    List names;
+    for (const std::string& name : FilesLike(place / pattern, picture))
+      names.push_back(std::filesystem::relative(name, place.Path()).string());
+    return names;
+  };
+  EXPECT_EQ(found("a.png.part-*", "a.png"), (List{"a.png.part-1-of-3", "a.png.part-2-of-3", "a.png.part-3-of-3"}));
+  EXPECT_EQ(found("a.png.part-[13]-of-?", "a.png"), (List{"a.png.part-1-of-3", "a.png.part-3-of-3"}));
+  EXPECT_EQ(found("[ab].png.part-[!1]*", "o.png"), (List{"a.png.part-2-of-3", "a.png.part-3-of-3"}));
+  EXPECT_EQ(found("b[1].png.part-*", "o.png"), List{"b[1].png.part-1-of-2"}) << "that is the name of an image";
+  EXPECT_EQ(found("b[1].png.part-[1-9]*", "x/b[1].png"), List{"b[1].png.part-1-of-2"}) << "as is the image's own";
+  EXPECT_EQ(found("c*.png.part-*", "c*.png"), List{"c*.png.part-1-of-1"});
+  EXPECT_EQ(found("c*.png.part-*", "o.png"), (List{"c*.png.part-1-of-1", "cd.png.part-1-of-1"}));
+  EXPECT_EQ(found("e.png.part-[1]", "o.png"), List{"e.png.part-[1]"}) << "a file";
+  EXPECT_EQ(found("in[1]/a.png.part-*", "o.png"), List{"in[1]/a.png.part-1-of-1"});
+  EXPECT_EQ(found("in?/a.png.part-*", "o.png"), List{"in1/a.png.part-1-of-1"});
+  EXPECT_EQ(found("[c]d.png.part-*", "o.png"), List{"cd.png.part-1-of-1"});
+  EXPECT_EQ(found("nothing*", "o.png"), List{});
+}
+
 TEST(Farm, WorkersKilledAtRandomMomentsLoseNothing) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;

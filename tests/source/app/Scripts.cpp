@@ -139,6 +139,21 @@ TEST(MovieScript, WhatCannotBeWrittenIsRefusedBeforeTheFirstFrame) {
   EXPECT_TRUE(Has(ended.said, "a movie is .avi, .webp or .mp4, got 'out.mov'")) << ended.said;
 }
 
+TEST(ParallelScript, NamesAreNeverPatterns) {
+  NEEDS_THE_PROGRAM();
+  if (std::system("command -v parallel > /dev/null") != 0) GTEST_SKIP() << "there is no GNU parallel here";
+  for (const std::string name : {"shot[1].png", "s{}h{1}{.}.png", "a\\nb\\\\.png", "a *b?.png"}) {
+    const TemporaryFolder place;
+    WriteFile(place / "in {} [1].scn", testing::small_scene);
+    const Ended ended = RunScript(
+        place, "farm/parallel.sh",
+        "-parts 3 'in {} [1].scn' '" + name + "' -width 16 -height 12 -samples 2");
+    EXPECT_EQ(ended.status, 0) << name << ended.said;
+    EXPECT_EQ(place.Others({"in {} [1].scn", "said", name}), testing::nothing);
+    EXPECT_EQ(testing::Decode(place / name).image.Width(), 16) << name;
+  }
+}
+
 TEST(PreviewDifferenceScript, AProgramThatFailsIsAFailure) {
   NEEDS_THE_PROGRAM();
   NEEDS_RAYIMG();
