@@ -422,7 +422,7 @@ void Judge(const Tree& tree, Draw& draw, int rays, double scale, Verdicts& verdi
   }
 }
 
-TEST(Csg, RandomTreesAreHitWhereSetsOfPointsSay) {
+TEST(Csg, H6_RandomTreesAreHitWhereSetsOfPointsSay) {
   Verdicts verdicts;
   // CSG_TREES is how many trees there are in all, with CSG_RAYS_OF_TREE rays each.
   const int trees = Asked("CSG_TREES", 180, 9000) / 3, rays = Asked("CSG_RAYS_OF_TREE", 100, 1000);

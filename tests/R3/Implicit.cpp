@@ -103,7 +103,7 @@ TEST(Implicit, ARayThatLiesInItsSurfaceEnds) {
 }
 
 // Each of these once kept a ray for ever.
-TEST(Implicit, RaysThatStartOnTheirSurfaceEnd) {
+TEST(Implicit, E10_RaysThatStartOnTheirSurfaceEnd) {
   const char* formulas[] = {"y", "-y", "y^3", "y exp(x)", "sin(y)", "y (x^2 + 1) / 3", "y + x^2 z^2 0",
                             "sin(4 x) cos(4 y) + sin(4 y) cos(4 z) + sin(4 z) cos(4 x)",
                             "y - 0.3 sin(3 x) sin(3 z)", "x^2 + y^2 + z^2 - y"};
@@ -121,14 +121,14 @@ TEST(Implicit, RaysThatStartOnTheirSurfaceEnd) {
   }
 }
 
-TEST(Implicit, WhereAFormulaIsZeroIsSolid) {
+TEST(Implicit, B13_WhereAFormulaIsZeroIsSolid) {
   ExpectTheSame(SolidOf("max(x^2 + y^2 + z^2 - 2, 0)"), *MakeShape("sphere", {0, 0, 0, std::sqrt(2.0)}));
   ExpectTheSame(SolidOf("abs(x) + x + max(abs(y) - 1, 0) + max(abs(z) - 1, 0)"), *MakeShape("box", {-2, -1, -1, 0, 1, 1}),
                 Count(600, 30'000));
   ExpectTheSame(SolidOf("0", {{-1, -1, -1}, {1, 1.5, 1}}), *MakeShape("box", {-1, -1, -1, 1, 1.5, 1}));
 }
 
-TEST(Implicit, NormalsAreRightWhereTheSlopeIsZeroOrUndefined) {
+TEST(Implicit, B13_NormalsAreRightWhereTheSlopeIsZeroOrUndefined) {
   ExpectTheSame(SolidOf("(x^2 + y^2 + z^2 - 2)^3"), *MakeShape("sphere", {0, 0, 0, std::sqrt(2.0)}));
   ExpectTheSame(SolidOf("(max(max(abs(x) - 1, abs(y) - 1.5), abs(z) - 0.5))^5"),
                 *MakeShape("box", {-1, -1.5, -0.5, 1, 1.5, 0.5}));
@@ -180,7 +180,7 @@ std::string RandomFormula(Draw& draw, int depth) {
 }
 
 // A ray divides at most 4,681 stretches, whatever the formula; see most_divisions. The slowest are printed at night.
-TEST(Implicit, RaysOnInAndBesideRandomSurfacesEnd) {
+TEST(Implicit, E10_RaysOnInAndBesideRandomSurfacesEnd) {
   double slowest = 0;
   int formulas = 0;
   for (int number = 0; number < Count(1500, 1'000'000); ++number) {

@@ -116,7 +116,7 @@ TEST(Subsampling, LayersAreTracedInEveryPixel) {
         << layer;
 }
 
-TEST(Subsampling, PixelsBeyondFloatsAreStoredAsTheLargest) {
+TEST(Subsampling, G9_PixelsBeyondFloatsAreStoredAsTheLargest) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   const std::string scene =

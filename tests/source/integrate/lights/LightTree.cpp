@@ -385,7 +385,7 @@ TEST(LightTree, WeakLightsBesideStrongOnesAreStillChosen) {
 }
 
 // Radiance times area may be more than doubles hold.
-TEST(LightTree, LightsOfInfinitePowerAreChosenLikeTheStrongest) {
+TEST(LightTree, E11_LightsOfInfinitePowerAreChosenLikeTheStrongest) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const LightBound strong{.center = {0, 1, 0}, .power = infinite}, weak{.center = {0, 1, 1}, .power = 1};
   const LightTree tree({strong, weak, strong});
