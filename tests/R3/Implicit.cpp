@@ -104,11 +104,11 @@ TEST(Implicit, ARayThatLiesInItsSurfaceEnds) {
 
 // Each of these once kept a ray for ever.
 TEST(Implicit, E10_RaysThatStartOnTheirSurfaceEnd) {
-  const char* formulas[] = {"y", "-y", "y^3", "y exp(x)", "sin(y)", "y (x^2 + 1) / 3", "y + x^2 z^2 0",
-                            "sin(4 x) cos(4 y) + sin(4 y) cos(4 z) + sin(4 z) cos(4 x)",
-                            "y - 0.3 sin(3 x) sin(3 z)", "x^2 + y^2 + z^2 - y"};
+  const char* through_origin[] = {"y", "-y", "y^3", "y exp(x)", "sin(y)", "y (x^2 + 1) / 3", "y + x^2 z^2 0",
+                                  "sin(4 x) cos(4 y) + sin(4 y) cos(4 z) + sin(4 z) cos(4 x)",
+                                  "y - 0.3 sin(3 x) sin(3 z)", "x^2 + y^2 + z^2 - y"};
   Draw draw(71);
-  for (const char* formula : formulas) {
+  for (const char* formula : through_origin) {
     const Implicit solid = SolidOf(formula);
     for (int i = 0; i < 200; ++i) {
       const Vector d = i < 6 ? Vector{i % 3 == 0 ? 1.0 : 0.0, i % 3 == 1 ? 1.0 : 0.0, i % 3 == 2 ? 1.0 : 0.0}
@@ -182,7 +182,7 @@ std::string RandomFormula(Draw& draw, int depth) {
 // A ray divides at most 4,681 stretches, whatever the formula; see most_divisions. The slowest are printed at night.
 TEST(Implicit, E10_RaysOnInAndBesideRandomSurfacesEnd) {
   double slowest = 0;
-  int formulas = 0;
+  int tried = 0;
   for (int number = 0; number < Count(1500, 1'000'000); ++number) {
     Draw draw(static_cast<std::uint64_t>(number) + 5'000'000);
     std::string text = RandomFormula(draw, draw.Whole(1, 4));
@@ -195,7 +195,7 @@ TEST(Implicit, E10_RaysOnInAndBesideRandomSurfacesEnd) {
     } catch (const ExpressionError&) {
       continue;  // it divides by 0
     }
-    ++formulas;
+    ++tried;
     const Implicit solid(*formula, around_two);
     Point start{0, 0, 0};
     for (int i = 0; i < 4; ++i) {
@@ -214,8 +214,8 @@ TEST(Implicit, E10_RaysOnInAndBesideRandomSurfacesEnd) {
       start = at.position;  // the next ray starts there
     }
   }
-  std::printf("%d formulas; the slowest ray took %.1f ms\n", formulas, 1e3 * slowest);
-  EXPECT_GT(formulas, Count(1000, 700'000));
+  std::printf("%d formulas; the slowest ray took %.1f ms\n", tried, 1e3 * slowest);
+  EXPECT_GT(tried, Count(1000, 700'000));
 }
 
 }  // namespace
