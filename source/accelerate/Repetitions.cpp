@@ -79,6 +79,7 @@ void MarkRepetitions(std::span<Instance> instances, std::span<const R3::Transfor
     const Instance& seen = instances[hashed[first].instance];
     Instance& instance = instances[hashed[i].instance];
     instance.is_repeated = are_same_frames(seen.frame, instance.frame) && AreSame(*seen.shape, *instance.shape);
+    instance.repeats = hashed[first].instance;
   }
 }
 

@@ -23,6 +23,7 @@ struct Instance {
   R3::Form form = R3::Form::other;   // of the shape's elements
   bool is_bounded = true;            // the shape lies in a box
   bool is_repeated = false;          // another is the same to the bit and hides this one, which is never the hit
+  std::uint32_t repeats = 0;         // which instance that is
   R3::Box bounds{};                  // in the world, wherever it goes while the shutter is open; empty if not bounded
   double error = 0;                  // more than eight times as much as its surface may be off by in the world
   bool is_medium = false;            // its inside matters to rays: a closed solid that is clear or absorbs

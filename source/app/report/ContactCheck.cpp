@@ -54,7 +54,8 @@ void AddRaysToLamps(const World& world, std::vector<R3::Ray>& rays) {
   }
 }
 
-/// Pairs of different materials, the first of which hides the second in one plane that the camera or a lamp shows.
+/// Pairs of different materials, the first of which hides the second: shapes that are the same, and in one plane that
+/// the camera or a lamp shows.
 ///   side   of the grid of camera rays
 std::vector<Pair> PairsInOnePlane(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                                   int side) {
@@ -79,6 +80,11 @@ std::vector<Pair> PairsInOnePlane(const World& world, const Accelerator& acceler
         pairs.push_back({hits[0].instance, other.instance});
     }
   }
+  for (std::uint32_t i = 0; i < world.Instances().size(); ++i) {
+    const Instance& hidden = world.Instances()[i];
+    if (hidden.is_repeated && hidden.material != world.Instances()[hidden.repeats].material)
+      pairs.push_back({hidden.repeats, i});
+  }
   std::ranges::sort(pairs);
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
@@ -89,28 +95,39 @@ void AddPairsInOnePlane(std::vector<std::string>& mistakes, const World& world, 
   const std::vector<Pair> pairs = PairsInOnePlane(world, accelerator, settings, side);
   if (pairs.empty()) return;
   const Instance &seen = world.Instances()[pairs[0].first], &hidden = world.Instances()[pairs[0].second];
-  mistakes.push_back(PlaceOf(world, hidden) + ": warning: this shape lies in one plane with that of " +
+  mistakes.push_back(PlaceOf(world, hidden) + ": warning: this shape " +
+                     (hidden.is_repeated ? "is the same as" : "lies in one plane with") + " that of " +
                      PlaceOf(world, seen) + ", which " +
                      (seen.Emits() && !hidden.Emits() ? "emits" : "comes first in the file") +
                      " and hides it; their materials differ" + AndMore(pairs.size()));
 }
 
+/// Returns true for solids and closed meshes of few triangles; larger ones would take too long.
+bool IsClosed(const Instance& instance) {
+  constexpr int most_triangles = 5000;  // three rays are tested against each, 0.5 ms in all
+  if (!instance.mesh) return instance.shape->IsSolid();
+  return instance.mesh->Elements() <= most_triangles && instance.mesh->IsClosed();
+}
+
 /// Reports lights that only the inside of a shape sees: those without extent, since others are seen where they stick
 /// out.
 void AddLightsInSolids(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
-  const auto is_closed_to_light = [](const Instance& i) { return i.shape->IsSolid() && IsBlack(i.material->kt); };
-  if (SolidsAround(world, world.scene().camera.eye, is_closed_to_light) > 0) return;  // it may be a room
-  std::string first;
-  std::size_t count = 0;
-  for (const Light* light : ShiningLights(world, settings)) {
-    const LightBound bound = light->Bound();
-    if (bound.is_infinite || light->IsExtended()) continue;
-    if (SolidsAround(world, bound.center, is_closed_to_light) == 0) continue;
-    if (++count == 1) first = light->Describe();
+  std::vector<const Light*> lights;
+  for (const Light* light : ShiningLights(world, settings))
+    if (!light->IsExtended() && !light->Bound().is_infinite) lights.push_back(light);
+  std::vector<const Instance*> solids;  // that no light leaves, around some light
+  for (const Instance& instance : world.Instances()) {
+    const auto may_hold = [&](const Light* light) { return instance.bounds.Contains(light->Bound().center); };
+    if (!instance.IsClear() && std::ranges::any_of(lights, may_hold) && IsClosed(instance)) solids.push_back(&instance);
   }
-  if (count == 0) return;
+  const auto is_inside = [&](const R3::Point& place) {
+    return std::ranges::any_of(solids, [&](const Instance* solid) { return Holds(world, *solid, place); });
+  };
+  if (is_inside(settings.view.value_or(world.scene().camera).eye)) return;  // it may be a room
+  std::erase_if(lights, [&](const Light* light) { return !is_inside(light->Bound().center); });
+  if (lights.empty()) return;
   mistakes.push_back((world.scene().files.empty() ? "scene" : Escaped(world.scene().files[0])) + ": warning: the " +
-                     first + " is inside a shape that no light leaves" + AndMore(count));
+                     lights[0]->Describe() + " is inside a shape that no light leaves" + AndMore(lights.size()));
 }
 
 bool IsOpenGlass(const Instance& instance) {

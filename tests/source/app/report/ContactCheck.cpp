@@ -41,6 +41,14 @@ TEST(ContactCheck, PointsOutSurfacesOfDifferentMaterialsInOnePlane) {
   EXPECT_EQ(Mistakes(matte + matte + wall + "quad 1 -.5 -.5 1e-3  .5 -.5 1e-3  .5 .5 1e-3  -.5 .5 1e-3\n"), "");
 }
 
+TEST(ContactCheck, PointsOutTheSameShapeOfAnotherMaterial) {
+  const std::string ball = "sphere 0 0 0 0 1\nsphere 1 0 0 0 1\n";
+  EXPECT_TRUE(Has(Mistakes(matte + matte + ball), "example.scn:5:1: warning: this shape is the same as that of "));
+  EXPECT_EQ(Mistakes(matte + "sphere 0 0 0 0 1\nsphere 0 0 0 0 1\n"), "");
+  const std::string glowing = "material 0 0 0  0 0 0  0 0 0  0 0 0  3 3 3  1 1 0\n";
+  EXPECT_TRUE(Has(Mistakes(matte + glowing + ball), "example.scn:4:1: warning: this shape is the same as that of "));
+}
+
 TEST(ContactCheck, LetsGlassStandOnAFloor) {
   EXPECT_EQ(Mistakes(matte + clear_glass + "quad 0 -1 -1 0  1 -1 0  1 1 0  -1 1 0 box 1 -.5 -.5 0  .5 .5 1\n"), "");
 }
@@ -50,6 +58,13 @@ TEST(ContactCheck, PointsOutALightThatNothingSees) {
                   "inside a shape that no light leaves"));
   EXPECT_EQ(Mistakes(clear_glass + "point_light 1 1 1  0 0 0  1 0 0 sphere 0 0 0 0 1\n"), "");
   EXPECT_EQ(Mistakes(matte + "point_light 1 1 1  0 0 0  1 0 0 sphere 0 0 0 0 50\n"), "");  // around the camera, too
+}
+
+TEST(ContactCheck, PointsOutALightInAClosedMesh) {
+  const std::string tetrahedron = "OFF\n4 4 6\n-1 -1 -1\n3 -1 -1\n-1 3 -1\n-1 -1 3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
+                    scene = matte + "point_light 1 1 1  0 0 0  1 0 0 mesh 0 mesh.off\n";
+  EXPECT_TRUE(Has(Mistakes(scene, tetrahedron), "inside a shape that no light leaves"));
+  EXPECT_EQ(Mistakes(scene, "OFF\n4 3 6\n-1 -1 -1\n3 -1 -1\n-1 3 -1\n-1 -1 3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n"), "");
 }
 
 TEST(ContactCheck, PointsOutGlassWithHoles) {
