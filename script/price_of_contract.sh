@@ -19,7 +19,9 @@ build() {  # variant, its patch if any
   tree=build/price/$1
   rm -rf "$tree/source" "$tree/R1" "$tree/R2" "$tree/R3" "$tree/bench"  # a file that is gone must be gone here too
   mkdir -p "$tree"
+  mkdir -p "$tree/script"
   cp -rp Makefile R1 R2 R3 source bench "$tree"
+  cp -p script/features.mk "$tree/script"
   [ -z "${2:-}" ] || patch -s -d "$tree" -p1 < "$2"
   make -s -C "$tree" build/bench/kernels > /dev/null
 }

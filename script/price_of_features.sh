@@ -49,7 +49,9 @@ whole=$build/raypro
 build_without() {  # feature
   tree=$work/$1
   mkdir -p "$tree/build/obj"
+  mkdir -p "$tree/script"
   cp -rp Makefile R1 R2 R3 source "$tree"
+  cp -p script/features.mk "$tree/script"
   cp -rp "$build/flags" "$build/features" "$tree/build"
   cp -rp "$build/obj/R1" "$build/obj/R2" "$build/obj/R3" "$build/obj/source" "$tree/build/obj"
   patch -s -d "$tree" -p1 < "script/price/$1.patch"
