@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 
 namespace ray {
@@ -18,9 +19,13 @@ struct AcceleratorSettings {
 
   // What `auto` needs to know to weigh a build against what it saves.
   double expected_rays = 1e6;
+  // `grid` throws BuildTookTooLong when its build takes longer, which the slivers around a vertex make it do.
+  double most_build_seconds = std::numeric_limits<double>::infinity();
 
   friend bool operator==(const AcceleratorSettings&, const AcceleratorSettings&) = default;
 };
+
+struct BuildTookTooLong {};
 
 /// Cubes are then far smaller than what boxes in single precision resolve, and traversal still has stack enough.
 inline constexpr int most_octree_levels = 40;

@@ -1,3 +1,5 @@
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -7,13 +9,19 @@
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/twolevel/PrimitiveSet.h"
 #include "source/text/NumberText.h"
+#include "source/text/Words.h"
 
 namespace ray {
 namespace {
 
-constexpr std::int64_t few_primitives = 3;  // tested in the time that it takes to find out which to test
-constexpr double thin_from = 12;            // box over triangle area from which a grid is worth a try; 3 is compact
-constexpr double pays_from = 20;            // rays per primitive from which building a second structure is forgotten
+// Box over triangle area from which a grid may be the faster structure; 3 is compact.
+constexpr double thin_from = 12;
+// The share of the time that rays would take in a tree that may be spent on the build of a grid. The fastest grid known
+// takes three tenths of a tree's time (hair). So a build that is given up makes a render at most 1.4 times as long, and
+// the tree then takes at most 1 / (0.4 + 0.3) times as long as the grid would have taken with its build.
+constexpr double share_for_build = 0.4;
+// The number of rays that are traced to find out how long they take, at the most, as a share of the expected rays.
+constexpr double share_for_trial = 0.05;
 
 /// Area of the boxes of triangles over that of the triangles themselves, both sides: what a ray that enters a box
 /// has against it. About 3 for compact triangles in any position, over 100 for slanted hairs.
@@ -32,9 +40,9 @@ double Thinness(const PrimitiveSet& primitives) {
   return triangles > 0 && std::isfinite(boxes) ? boxes / triangles : 0;
 }
 
-/// A few hundred of the rays that the render will trace: through the camera, and on from where those hit.
-std::vector<R3::Ray> RaysOf(const World& world, const Accelerator& accelerator) {
-  constexpr int side = 20;
+/// Some of the rays that the render will trace: through side x side places of the camera's image, and on from where
+/// those hit.
+std::vector<R3::Ray> RaysOf(const World& world, const Accelerator& accelerator, int side) {
   std::vector<R3::Ray> rays;
   Workspace workspace;
   for (int y = 0; y < side; ++y)
@@ -70,21 +78,57 @@ std::unique_ptr<Accelerator> Take(const std::string& name, const std::string& re
   return accelerator;
 }
 
-/// The faster of a tree and a grid.
+/// Whether a test of the only primitive takes no longer than a test of its box.
+bool IsCheap(const World& world) {
+  if (world.Primitives() == 0) return true;
+  const auto is_cheap = [](const Instance& i) { return i.is_repeated || i.form != R3::Form::other; };
+  return world.Primitives() == 1 && std::ranges::all_of(world.Instances(), is_cheap);
+}
+
+/// The least of some rounds, which is the least disturbed.
+double LeastSecondsFor(const Accelerator& accelerator, const std::vector<R3::Ray>& rays, int rounds) {
+  double seconds = R3::infinity;
+  for (int i = 0; i < rounds; ++i) seconds = std::min(seconds, SecondsFor(accelerator, rays));
+  return seconds;
+}
+
+std::string Nanoseconds(double seconds) { return Fixed(1e9 * seconds, 0) + " ns per ray"; }
+
+/// The faster of a tree and a grid, whose build may take no longer than what it can save.
 std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, const AcceleratorSettings& settings) {
-  auto bvh = FindAcceleratorKind("bvh")->Make(world, settings),
-       grid = FindAcceleratorKind("grid")->Make(world, settings);
-  const std::vector<R3::Ray> rays = RaysOf(world, *bvh);
-  double bvh_seconds = R3::infinity, grid_seconds = R3::infinity;
-  constexpr int rounds = 5;  // the least of them is the least disturbed
-  for (int i = 0; i < rounds; ++i) {
-    bvh_seconds = std::min(bvh_seconds, SecondsFor(*bvh, rays));
-    grid_seconds = std::min(grid_seconds, SecondsFor(*grid, rays));
+  auto bvh = FindAcceleratorKind("bvh")->Make(world, settings);
+  const auto take_bvh = [&](const std::string& reason) {
+    bvh->reasons = {"auto chose bvh: " + reason};
+    return std::move(bvh);
+  };
+  constexpr int most_on_a_side = 20, first_rounds = 2, rounds = 5;
+  constexpr double rays_per_place = 2 * (first_rounds + 2 * rounds);  // through the camera, and on from what is hit
+  const double places = share_for_trial * settings.expected_rays / rays_per_place;
+  const int side = static_cast<int>(std::sqrt(std::clamp(places, 0.0, 1.0 * most_on_a_side * most_on_a_side)));
+  if (side == 0) return take_bvh("too few rays to try a grid, though " + shown);
+  const std::vector<R3::Ray> rays = RaysOf(world, *bvh, side);
+  if (rays.empty()) return take_bvh("the camera has no rays to try a grid with, though " + shown);
+  const auto count = static_cast<double>(rays.size());
+  const double in_bvh = LeastSecondsFor(*bvh, rays, first_rounds) / count;
+  const auto threads = static_cast<double>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  AcceleratorSettings within = settings;
+  within.most_build_seconds = share_for_build * settings.expected_rays * in_bvh / threads;
+  const std::string tried = "auto tried " + std::to_string(rays.size()) + " rays: bvh " + Nanoseconds(in_bvh);
+  std::unique_ptr<Accelerator> grid;
+  try {
+    grid = FindAcceleratorKind("grid")->Make(world, within);
+  } catch (const BuildTookTooLong&) {
+    auto chosen = take_bvh("a grid would take more than " + Fixed(within.most_build_seconds, 3) +
+                           " s to build, too long for the rays expected; it was tried because " + shown);
+    chosen->reasons.insert(chosen->reasons.begin(), tried);
+    return chosen;
   }
-  const double per_ray = 1e9 / static_cast<double>(rays.size());
-  auto faster = std::move(grid_seconds < bvh_seconds ? grid : bvh);
-  faster->reasons = {"auto tried " + std::to_string(rays.size()) + " rays: bvh " + Fixed(bvh_seconds * per_ray, 0) +
-                         " ns, grid " + Fixed(grid_seconds * per_ray, 0) + " ns per ray",
+  const double in_grid = LeastSecondsFor(*grid, rays, rounds) / count;
+  const double again = std::min(in_bvh, LeastSecondsFor(*bvh, rays, rounds) / count);
+  auto faster = std::move(in_grid < again ? grid : bvh);
+  faster->reasons = {"auto tried " + std::to_string(rays.size()) + " rays: bvh " + Nanoseconds(again) + ", grid " +
+                         Nanoseconds(in_grid),
                      "auto chose " + faster->kind + ": the faster one; both were tried because " + shown};
   return faster;
 }
@@ -92,17 +136,11 @@ std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, c
 /// By what the scene is made of, and between two that may both be right by trying them.
 std::unique_ptr<Accelerator> Choose(const World& world, const AcceleratorSettings& settings) {
   const auto take = [&](const char* name, const std::string& reason) { return Take(name, reason, world, settings); };
-  if (world.Primitives() <= few_primitives)
-    return take("none", "few primitives (" + std::to_string(world.Primitives()) + "): testing all is faster");
-  const PrimitiveSet primitives(world);
-  const double thinness = Thinness(primitives);
+  if (IsCheap(world)) return take("none", Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive") + ": testing it is faster");
+  const double thinness = Thinness(PrimitiveSet(world));
+  if (thinness == 0) return take("bvh", "more than one primitive, or one that takes long to test, and no triangles");
   const std::string shown = "bounding boxes have " + Fixed(thinness, 1) + " times the triangles' area";
-  if (thinness < thin_from)
-    return take("bvh",
-                "more than " + std::to_string(few_primitives) + " primitives, and " +
-                    (thinness > 0 ? shown + " (thin from " + Fixed(thin_from, 1) + ")" : "no triangles in the world"));
-  if (settings.expected_rays < pays_from * static_cast<double>(primitives.Size()))
-    return take("grid", shown + ": too thin for a BVH; too few rays to try both");
+  if (thinness < thin_from) return take("bvh", shown + " (thin from " + Fixed(thin_from, 1) + ")");
   return Try(shown, world, settings);
 }
 

@@ -1,6 +1,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -206,7 +207,8 @@ constexpr double most_on_an_axis = 1 << 14;
 
 class GridBuilder {
  public:
-  GridBuilder(Grid& grid, double density) : grid_(grid), density_(density) {}
+  GridBuilder(Grid& grid, double density, double most_seconds)
+      : grid_(grid), density_(density), most_seconds_(most_seconds) {}
 
   void Run() {
     const std::uint32_t count = grid_.primitives.Size();
@@ -249,6 +251,7 @@ class GridBuilder {
     children_.resize(grid_.cells.size());
     const double left = growth * count / std::max(1.0, static_cast<double>(sorted.primitives.size()));
     for (std::size_t c = 0; c < level.Cells(); ++c) {
+      Work();
       const std::span<ClippedPrimitive> inside(sorted.primitives.data() + sorted.starts[c],
                                                sorted.starts[c + 1] - sorted.starts[c]);
       if (inside.size() > crowd && level.Cells() > 1 && depth < most_levels && left > 1.5) {
@@ -328,6 +331,7 @@ class GridBuilder {
         for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
           for (at[0] = low[0]; at[0] <= high[0]; ++at[0]) {
             const std::size_t cell = level.Cell(at);
+            Work();
             ClippedPrimitive inside = primitive;
             if (low != high && !ClipTo(WithPadding(level.BoxOf(cell)), grid_, inside)) continue;
             found.emplace_back(cell, inside);
@@ -344,13 +348,23 @@ class GridBuilder {
     return sorted;
   }
 
+  /// Counts a unit of work, some of which take a microsecond; throws when time is up.
+  void Work() const {
+    constexpr std::uint64_t units_per_look = 256;
+    if (++work_ % units_per_look == 0 &&
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() > most_seconds_)
+      throw BuildTookTooLong();
+  }
+
   static R3::Box WithPadding(const R3::Box& cell) {
     const R3::Vector padding{cell_padding, cell_padding, cell_padding};
     return {cell.low - padding, cell.high + padding};
   }
 
   Grid& grid_;
-  double density_;
+  double density_, most_seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  mutable std::uint64_t work_ = 0;
   std::vector<wide::BuildChild> children_;  // of every cell
   wide::SubtreeBuilder subtrees_;
 };
@@ -369,7 +383,7 @@ extern const AcceleratorKind grid_kind{
           },
           [&](PrimitiveSet primitives) {
             Grid grid(std::move(primitives));
-            GridBuilder(grid, density).Run();
+            GridBuilder(grid, density, settings.most_build_seconds).Run();
             return grid;
           });
     }};

@@ -70,6 +70,7 @@ class enumerable_thread_specific {
 struct global_control {
   enum Parameter { max_allowed_parallelism };
   global_control(Parameter, std::size_t) {}
+  static std::size_t active_value(Parameter) { return 1; }
 };
 
 namespace info {
