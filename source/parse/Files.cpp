@@ -52,6 +52,8 @@ FoundFile Files::Top() const {
   if (IsStandardInput()) return {top_, top_};
   std::error_code error;
   const fs::path canonical = fs::canonical(top_, error);
+  std::error_code ignored;
+  if (error && fs::exists(top_, ignored)) return {top_, top_};  // a pipe, which has no path: Read says so
   if (error == std::errc::no_such_file_or_directory) {
     const bool lacks_extension = fs::exists(top_ + ".scn", error);
     const auto may_list = [](const fs::path&) { return true; };  // the user named it

@@ -34,7 +34,7 @@ fs::path FollowLinks(const std::string& name) {
 
 void RefuseUnfitTarget(const OutputFile& output) {
   std::error_code error;
-  const fs::file_status status = fs::status(output.target, error);
+  const fs::file_status status = fs::status(output.name, error);  // of a pipe's name in /dev/fd, too
   if (status.type() == fs::file_type::not_found) return;
   if (error) Refuse(output.name, error.message());
   if (fs::is_directory(status)) Refuse(output.name, "it is a folder");

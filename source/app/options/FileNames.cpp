@@ -1,7 +1,10 @@
 #include "source/app/options/FileNames.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
-#include <array>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <vector>
@@ -10,7 +13,9 @@
 #include "source/app/manual/Help.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/PictureName.h"
+#include "source/app/report/Info.h"
 #include "source/parse/Format.h"
+#include "source/parse/meshes/MeshFormat.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -32,7 +37,7 @@ std::string LikelyCommand(const Options& options, std::span<const std::string> w
   const std::string picture = scene_name == standard_stream
                                   ? "out.png"
                                   : std::filesystem::path(scene_name).filename().replace_extension(".png").string();
-  if (scene != likely.end()) likely.insert(scene + 1, picture);
+  likely.insert(scene == likely.end() ? scene : scene + 1, picture);
   if (options.given.empty()) likely.insert(likely.end(), {"-width", "512"});
   return "raypro " + ShellLine(likely);
 }
@@ -101,13 +106,49 @@ bool IsOutputSentToAnImage() {
   return IsPicture(std::filesystem::read_symlink("/proc/self/fd/1", unknown).string());
 }
 
-/// A scene may be named alone, as in Groningen's course; its picture then lies beside it. A name that ends in .txt
-/// says too little about what a file holds, and beside a mesh there may be its texture.
+/// Returns true if the file is an image that raypro has written.
+bool IsOfRaypro(const std::string& picture) {
+  try {
+    return R2::ReadImageHeader(ReadBytes(picture)).settings.contains("scene_hash");
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+/// A scene or a mesh may be named alone, as in Groningen's course; its image then lies beside it. A name that ends in
+/// .txt says too little about what a file holds. Beside a mesh there may be its texture, which is left as it is.
 void NamePictureOfLoneScene(Options& options) {
-  constexpr std::array<std::string_view, 4> of_scenes_alone{".scn", ".yaml", ".yml", ".json"};
+  const std::string& scene = options.files.scene;
   const bool is_alone = options.task == Task::render && options.files.picture.empty() && !IsOutputSentToAnImage();
-  if (is_alone && std::ranges::find(of_scenes_alone, ExtensionOf(options.files.scene)) != of_scenes_alone.end())
-    options.files.picture = std::filesystem::path(options.files.scene).replace_extension(".png").string();
+  const bool is_mesh = MeshFormatForName(scene) != nullptr;
+  if (!is_alone || !(is_mesh || IsScene(scene)) || ExtensionOf(scene) == ".txt") return;
+  options.files.picture = std::filesystem::path(scene).replace_extension(".png").string();
+  std::error_code ignored;
+  if (is_mesh && std::filesystem::exists(options.files.picture, ignored) &&
+      !IsOfRaypro(options.files.picture))
+    throw UsageError(Quoted(options.files.picture) +
+                     " exists and may be a texture of the mesh; name the image: raypro " +
+                     ShellLine(std::vector<std::string>{scene, "out.png"}));
+}
+
+/// Returns "-" for names by which systems call the given standard stream, and any other name as it is.
+std::string StreamNamed(const std::string& name, int descriptor, const char* word) {
+  const std::string number = std::to_string(descriptor);
+  const bool is_stream =
+      name == std::string("/dev/") + word || name == "/dev/fd/" + number || name == "/proc/self/fd/" + number;
+  return is_stream ? standard_stream : name;
+}
+
+/// Returns the name of a scene to read. A pipe that a shell makes, as for `<(...)`, can be read only once: it becomes
+/// standard input.
+std::string SceneNamed(const std::string& name) {
+  std::error_code ignored;
+  const bool is_descriptor = name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/");
+  if (is_descriptor && std::filesystem::is_fifo(name, ignored)) {
+    const int pipe = open(name.c_str(), O_RDONLY | O_CLOEXEC);
+    if (pipe >= 0 && dup2(pipe, STDIN_FILENO) == STDIN_FILENO) return standard_stream;
+  }
+  return StreamNamed(name, STDIN_FILENO, "stdin");
 }
 
 /// Gives each name its role.
@@ -117,7 +158,8 @@ void Share(Options& options) {
   options.scenes.clear();
   if (names.size() > 2) RefuseName(names[2], IsScene(names[2]) ? several_scenes : UsageOf(options.program));
   options.files.scene = names[0];
-  if (names.size() == 2) options.files.picture = names[1];
+  if (names.size() == 2) options.files.picture = StreamNamed(names[1], STDOUT_FILENO, "stdout");
+  options.files.report = StreamNamed(options.files.report, STDOUT_FILENO, "stdout");
   NamePictureOfLoneScene(options);
 }
 
@@ -131,6 +173,8 @@ void RefuseName(const std::string& word, const std::string& why) {
 
 void ShareNames(Options& options, std::span<const std::string> words) {
   Share(options);
+  options.files.scene = SceneNamed(options.files.scene);
+  for (std::string& scene : options.scenes) scene = SceneNamed(scene);
   if (!NeedsScene(options.task)) {
     if (!options.files.scene.empty()) RefuseName(options.files.scene, "");
     if (!options.scenes.empty()) RefuseName(options.scenes[0], "");

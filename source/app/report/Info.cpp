@@ -5,6 +5,8 @@
 #include <fstream>
 
 #include "R2/ImageFile.h"
+#include "source/app/files/ReadInputs.h"
+#include "source/app/options/PictureName.h"
 #include "source/app/report/Memory.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Resources.h"
@@ -33,6 +35,10 @@ void RefuseUnreadable(const std::string& file) {
 }  // namespace
 
 std::vector<unsigned char> ReadBytes(const std::string& file) {
+  if (file == standard_stream) {
+    const std::string text = Contents(file);
+    return {text.begin(), text.end()};
+  }
   RefuseUnreadable(file);
   std::ifstream stream(file, std::ios::binary);
   std::vector<unsigned char> bytes;
@@ -65,7 +71,7 @@ R2::DecodedImage ReadPicture(const std::string& file) {
 }
 
 std::string PictureText(const std::string& file, const R2::ImageHeader& picture) {
-  std::string text = Escaped(file) + ": " + picture.format->name + ", " + std::to_string(picture.size.width) + "x" +
+  std::string text = Escaped(file == standard_stream ? standard_input_name : file) + ": " + picture.format->name + ", " + std::to_string(picture.size.width) + "x" +
                      std::to_string(picture.size.height) + "\n";
   for (const auto& [key, value] : picture.settings) text += Escaped(key) + ": " + Escaped(value) + "\n";
   return text;

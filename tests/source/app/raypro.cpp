@@ -1,5 +1,8 @@
 // The program itself, from outside: what it makes, prints and refuses.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
 
 #include "R2/ImageFile.h"
 #include "tests/source/app/Program.h"
@@ -110,6 +113,85 @@ TEST(Raypro, WritesAPngAndNothingElseToStandardOutput) {
   EXPECT_TRUE(Has(done.error, "<stdout> 16x8 1 spp")) << done.error;
   EXPECT_EQ(place.Others({"in.scn", "out.png"}), nothing);
   EXPECT_EQ(RunProgram({place.Scene(), "-", "-resume"}).status, 2);
+}
+
+/// Runs a command of the shell in the folder; gives its status and all that it printed.
+Finished Shell(const TemporaryFolder& place, const std::string& command) {
+  const std::string all = "cd '" + place.Path().string() + "' && { " + command + "\n} > said 2>&1";
+  const int status = std::system(all.c_str());
+  return {.status = WEXITSTATUS(status), .signal = 0, .output = ReadFile(place / "said"), .error = {}};
+}
+
+TEST(Raypro, PipesByNameAreTheStreamsThatTheyName) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const SceneFolder place;
+  const std::string size = " -width 16 -height 16 -quiet";
+  ASSERT_EQ(Shell(place, "\"$RAYPRO\" in.scn named.pfm" + size).status, 0);
+  // As a shell's <(...) has it, a pipe is descriptor 9 and not 0.
+  for (const std::string command :
+       {"cat in.scn | \"$RAYPRO\" /dev/stdin out.pfm", "\"$RAYPRO\" /dev/fd/0 out.pfm < in.scn",
+        "cat in.scn | \"$RAYPRO\" /dev/fd/9 out.pfm 9<&0 < /dev/null"}) {
+    const Finished done = Shell(place, command + size);
+    EXPECT_EQ(done.status, 0) << command << done.output;
+    EXPECT_TRUE(ReadFile(place / "out.pfm") == ReadFile(place / "named.pfm")) << command;
+    fs::remove(place / "out.pfm");
+  }
+  for (const std::string name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+    const Finished piped = Shell(place, "\"$RAYPRO\" in.scn " + name + size + " | \"$RAYIMG\" info -");
+    EXPECT_TRUE(piped.output.starts_with("<stdin>: png, 16x16\n")) << name << piped.output;
+    EXPECT_EQ(Shell(place, "\"$RAYPRO\" in.scn " + name + size + " > out.png").status, 0) << name;
+    EXPECT_EQ(Decode(place / "out.png").image.Width(), 16) << name;
+  }
+  EXPECT_EQ(Shell(place, "echo spere | \"$RAYPRO\" /dev/stdin out.png").status, 3);
+  EXPECT_TRUE(Has(ReadFile(place / "said"), "<stdin>:1:1: error: unknown command 'spere'"));
+}
+
+TEST(Raypro, OtherPipesAreRefusedAsWhatTheyAre) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const SceneFolder place;
+  ASSERT_EQ(Shell(place, "\"$RAYPRO\" in.scn a.png -width 8 -height 8 && mkfifo named.png named.scn").status, 0);
+  const std::string run = "cat a.png | { \"$RAYPRO\" in.scn out.png -width 8 -height 8 ", from_9 = " 9<&0; }";
+  for (const std::string& command :
+       {run + "-reference /dev/fd/9" + from_9, run + "-env /dev/fd/9" + from_9, run + "-replay /dev/fd/9" + from_9,
+        std::string("\"$RAYPRO\" named.scn out.png")}) {
+    const Finished done = Shell(place, command);
+    EXPECT_NE(done.status, 0) << command;
+    EXPECT_TRUE(Has(done.output, "is a pipe, not a regular file")) << command << done.output;
+  }
+  for (const std::string& command :
+       {std::string("\"$RAYPRO\" in.scn named.png"), run + "-report /dev/fd/9 9>&1 | cat; }",
+        std::string("\"$RAYPRO\" in.scn /dev/fd/9 9>&1 | cat; false"),
+        std::string("\"$RAYIMG\" convert a.png /dev/stdout | cat; false")}) {
+    const Finished done = Shell(place, command);
+    EXPECT_TRUE(Has(done.output, "it is not a regular file")) << command << done.output;
+  }
+}
+
+TEST(Raypro, ALoneMeshRendersBesideItselfButSparesWhatIsThere) {
+  NEEDS_THE_PROGRAM();
+  const TemporaryFolder place;
+  const std::map<std::string, std::string> meshes{
+      {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+      {"b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+      {"c.PLY",
+       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+       "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"}};
+  for (const auto& [name, text] : meshes) {
+    const std::string mesh = WriteFile(place / name, text), image = place / (name.substr(0, 1) + ".png");
+    const std::vector<std::string> words{mesh, "-width", "8", "-height", "8"};
+    for (int time = 0; time < 2; ++time) {  // over its own image, too
+      const Finished done = RunProgram(words);
+      EXPECT_EQ(done.status, 0) << name << done.error;
+      EXPECT_EQ(Decode(image).image.Width(), 8) << name;
+    }
+    WriteFile(image, "a texture");
+    const Finished refused = RunProgram(words);
+    EXPECT_EQ(refused.status, 2) << name;
+    EXPECT_TRUE(Has(refused.error, "exists and may be a texture of the mesh; name the image")) << refused.error;
+    EXPECT_EQ(ReadFile(image), "a texture") << name;
+  }
 }
 
 TEST(Raypro, ALoneSceneRendersBesideItselfButSparesItsTexture) {
