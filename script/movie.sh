@@ -23,15 +23,26 @@
 # The extension chooses the format: .avi, .webp (by img2webp) or .mp4 (by ffmpeg).
 # All further options are passed to raypro. Each frame is a scene that includes the scene itself and, where the camera moves,
 # sets a camera; the last camera counts.
-# RAYPRO and RAYIMG name the programs. File names must not contain spaces: the scene language does not allow them.
+# If a frame or the movie fails, the frames that are rendered are kept. RAYPRO and RAYIMG name the programs; otherwise
+# they are those of the build, beside this script or on PATH. .webp needs the package webp, .mp4 the package ffmpeg.
 set -eu
 export LC_ALL=C  # numbers have a point
-here=$(cd "$(dirname "$0")/.." && pwd)
+here=$(cd "$(dirname "$(readlink -f "$0" || echo "$0")")" && pwd)
 # What lies in a build of the sources, or is installed.
-program() { if [ -x "$here/build/$1" ]; then echo "$here/build/$1"; else command -v "$1" || echo "$1"; fi; }
+program() {
+  for file in "$here/../build/$1" "$here/$1"; do [ ! -x "$file" ] || { echo "$file"; return; }; done
+  command -v "$1" || echo "$1"
+}
 raypro=${RAYPRO:-$(program raypro)}
 rayimg=${RAYIMG:-$(program rayimg)}
-usage() { echo "movie.sh: $1; see the top of $0" >&2; exit 2; }
+fail() { printf 'movie.sh: %s\n' "$2" >&2; exit "$1"; }
+usage() { fail 2 "$1; see the top of $0"; }
+number() {  # option, value: not 0,5 nor 1/2, and nothing that is no finite double
+  awk 'BEGIN { v = ARGV[1] + 0
+    exit !(ARGV[1] ~ /^[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?$/ && v > -1e308 && v < 1e308) }' "$2" ||
+    usage "$1 must be a number such as -1 or 0.5, got '$2'"
+}
+quoted() { for word; do printf " '%s'" "$(printf %s "$word" | sed "s/'/'\\\\''/g")"; done; }
 
 way='' turns=1 to='' sweep='' each='' low=0 high=0 define='' least=0 most=0 hosts='' slurm='' engine='' frames=48 fps=25 width=320 height=240 keep='' scene='' out=''
 while [ $# -gt 0 ]; do
@@ -66,7 +77,7 @@ done
 [ "$out" ] || usage "a scene and an output file are needed"
 [ "$way$sweep$define$each" ] || usage "one of -turntable, -to, -bookmarks, -sweep, -define and -each is needed"
 [ -z "$each" ] || [ -z "$engine" ] || usage "-each changes the scene before each frame, so frames cannot be rendered together"
-[ -z "$hosts" ] || [ -f "$hosts" ] || { echo "movie.sh: no such file of hosts: '$hosts'" >&2; exit 3; }
+[ -z "$hosts" ] || [ -f "$hosts" ] || fail 3 "no such file of hosts: '$hosts'"
 writer=$rayimg
 case $out in
   *.avi) ;;
@@ -74,20 +85,45 @@ case $out in
   *.mp4) writer=ffmpeg ;;
   *) usage "a movie is .avi, .webp or .mp4, got '$out'" ;;
 esac
-for program in "$writer" ${engine:+"$(echo "$engine" | sed s/slurm/sbatch/)"}; do
-  command -v "$program" > /dev/null || { echo "movie.sh: $program is not installed" >&2; exit 1; }
+for program in "$raypro" "$writer" ${engine:+"$(echo "$engine" | sed s/slurm/sbatch/)"}; do
+  command -v "$program" > /dev/null || fail 1 "$program is not installed"
 done
-case $frames in '' | *[!0-9]* | 0) usage "-frames must be a whole number above 0, got '$frames'" ;; esac
-[ -f "$scene" ] || { echo "movie.sh: no such scene: '$scene'" >&2; exit 3; }
+case $frames in '' | *[!0-9]* | 0* | ??????*) usage "-frames must be a whole number from 1 to 99999, got '$frames'" ;; esac
+number -fps "$fps"
+awk 'BEGIN { exit !(ARGV[1] >= 0.1 && ARGV[1] <= 1000) }' "$fps" || usage "-fps must be 0.1 to 1000, got '$fps'"
+number -turns "$turns"
+[ -z "$sweep" ] || { number "-sweep $sweep" "$low"; number "-sweep $sweep" "$high"; }
+[ -z "$define" ] || { number "-define $define" "$least"; number "-define $define" "$most"; }
+if [ "$way" = go ]; then
+  set -f
+  count=0
+  for word in $to; do number -to "$word"; count=$((count + 1)); done
+  case $count in 10 | 12) ;; *) usage "-to needs ten numbers: eye, direction, up and half angle, got '$to'" ;; esac
+  set +f
+fi
+[ -f "$scene" ] || fail 3 "no such scene: '$scene'"
+folder=$(dirname "$out")
+[ -d "$folder" ] || fail 4 "cannot write '$out': the folder '$folder' does not exist"
+[ ! -d "$out" ] || fail 4 "cannot write '$out': it is a folder"
+if [ ! -w "$folder" ] || { [ -e "$out" ] && [ ! -w "$out" ]; }; then fail 4 "cannot write '$out': permission denied"; fi
 
 views=$scene.views  # as rayview calls the file of bookmarks
 [ "$way" != tour ] || [ "$(grep -c '^[1-9] camera ' "$views" 2> /dev/null)" -ge 2 ] 2> /dev/null ||
-  { echo "movie.sh: -bookmarks needs two of them in '$views'; Control+1 in rayview keeps a view" >&2; exit 3; }
+  fail 3 "-bookmarks needs two of them in '$views'; Control+1 in rayview keeps a view"
 
 # Frames keep the command that made them, so the folder is a relative one where that is possible.
 if [ -d build ] && [ -w build ]; then base=build; elif [ -w . ]; then base=.; else base=${TMPDIR:-/tmp}; fi
 work=$(mktemp -d "$base/movie.XXXXXX")
-trap '[ "$keep" ] || rm -rf "$work"' EXIT
+leave() {
+  status=$?
+  [ "$status" = 0 ] || [ "$keep" ] || ! ls "$work"/frame*.jpg > /dev/null 2>&1 || {
+    keep=yes
+    echo "movie.sh: there is no movie; the frames are in $work" >&2
+  }
+  [ "$keep" ] || rm -rf "$work"
+}
+trap leave EXIT
+trap 'exit 129' HUP
 trap 'exit 130' INT
 trap 'exit 143' TERM
 
@@ -107,8 +143,10 @@ if [ "$way" ]; then
   grep '^camera ' "$work/whole.scn" >> "$work/about"
   "$raypro" "$scene" -check ${define:+"-define=$define=$least"} -allow_path "$allowed" 2> /dev/null | grep '^bounds ' >> "$work/about"
 fi
-awk -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low" -v high="$high" -v least="$least" -v most="$most" -v scene="$scene" \
-    -v work="$work" '
+# Names go by the environment, where a backslash is one.
+# shellcheck disable=SC1003  # in a name in quotes, a backslash and a quote have one before them
+SCENE=$(printf %s "$scene" | sed 's/[\\"]/\\&/g') FOLDER=$work awk \
+    -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low" -v high="$high" -v least="$least" -v most="$most" '
   function mix(a, b, t) { return a + (b - a) * t }
   # A vector of the camera around the vertical axis; ca and sa are of the angle.
   function turn(k,   x) { x = ca * from[k] + sa * from[k + 2]; c[k + 2] = -sa * from[k] + ca * from[k + 2]; c[k] = x }
@@ -123,7 +161,7 @@ awk -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low
   $1 == "camera" { for (k = 1; k <= 12; ++k) from[k] = $(k + 1) }
   END {
     pi = atan2(0, -1)
-    if (way == "go" && split(to, goal, " ") < 10) { print "movie.sh: -to needs ten numbers" > "/dev/stderr"; exit 2 }
+    split(to, goal, " ")
     # A level camera stays level on its way: its up is +y, and not what is perpendicular to its first direction.
     roll = from[6] * from[7] - from[4] * from[9]
     if (from[8] > 0 && roll < 1e-9 && roll > -1e-9) { from[7] = 0; from[8] = 1; from[9] = 0 }
@@ -151,26 +189,40 @@ awk -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low
         c[1] = px + ca * (from[1] - px) + sa * (from[3] - pz); c[3] = pz - sa * (from[1] - px) + ca * (from[3] - pz)
         turn(4); turn(7)
       }
-      file = sprintf("%s/frame%05d.scn", work, i)
-      print "include " scene > file
+      name = sprintf("frame%05d", i); file = ENVIRON["FOLDER"] "/" name ".scn"
+      print "include \"" ENVIRON["SCENE"] "\"" > file
       if (way) {
         printf "camera " > file
         for (k = 1; k <= 12; ++k) printf " %.17g", c[k] > file
         print "" > file
       }
       close(file)
-      print substr(file, 1, length(file) - 4), mix(low, high, share), mix(least, most, share), share > (work "/frames")
+      print name, mix(low, high, share), mix(least, most, share), share > (ENVIRON["FOLDER"] "/frames")
     }
   }' "$work/about"
 
 # Renders the frame of that line of the list.
-quoted() { for word; do printf " '%s'" "$(printf %s "$word" | sed "s/'/'\\\\''/g")"; done; }
-cat > "$work/frame.sh" << FRAME
-#!/bin/sh
-set -- \$(sed -n "\${1:-\$SLURM_ARRAY_TASK_ID}p" '$work/frames')
-exec$(quoted "$raypro") "\$1.scn" "\$1.jpg" -width $width -height $height -quiet -allow_path '$allowed' \\
-  ${sweep:+-$sweep "\$2"} ${define:+-define=$define="\$3"}$(quoted "$@")
-FRAME
+# shellcheck disable=SC2016  # of frame.sh
+{
+  moving=''
+  [ -z "$sweep" ] || moving="$(quoted "-$sweep") \"\$2\""
+  [ -z "$define" ] || moving="$moving$(quoted "-define=$define=")\"\$3\""
+  echo '#!/bin/sh'
+  echo 'line=${1:-$SLURM_ARRAY_TASK_ID} more=${2:-}'
+  printf 'work=%s\n' "$(quoted "$work" | cut -c 2-)"
+  echo 'set -- $(sed -n "${line}p" "$work/frames")'
+  printf 'exec%s "$work/${scene:-$1}.scn" "$work/$1.jpg" -width%s -height%s -quiet -allow_path%s%s%s $more\n' \
+    "$(quoted "$raypro")" "$(quoted "$width")" "$(quoted "$height")" "$(quoted "$allowed")" "$moving" "$(quoted "$@")"
+} > "$work/frame.sh"
+
+# What raypro would refuse is found before the first frame: of options by their values in all frames, without a scene,
+# and of a scene by that of the last frame.
+i=0
+while [ "$i" -lt "$frames" ]; do
+  i=$((i + 1)); [ "$sweep" ] || i=$frames
+  scene=none sh "$work/frame.sh" "$i" -check > "$work/said" 2>&1 || [ $? != 2 ] || { cat "$work/said" >&2; exit 2; }
+done
+[ "$each" ] || sh "$work/frame.sh" "$frames" -check > "$work/said" 2>&1 || { cat "$work/said" >&2; exit 3; }
 begun=$(date +%s) i=0
 case $engine in
   parallel)
@@ -192,9 +244,16 @@ case $engine in
     [ ! -t 2 ] || echo >&2 ;;
 esac
 
+made=$work/movie.${out##*.}  # which takes its place once it is whole
 case $out in
   *.avi) "$rayimg" movie "$out" -fps "$fps" "$work"/frame*.jpg ;;
-  *.webp) img2webp -loop 0 -lossy -q 85 -d "$(awk "BEGIN { printf \"%d\", 1000 / $fps + 0.5 }")" "$work"/frame*.jpg -o "$out" > /dev/null 2>&1 ;;
-  *.mp4) ffmpeg -v error -y -framerate "$fps" -i "$work/frame%05d.jpg" -pix_fmt yuv420p "$out" < /dev/null ;;
+  *.webp)
+    pause=$(awk "BEGIN { printf \"%d\", 1000 / $fps + 0.5 }")
+    img2webp -loop 0 -lossy -q 85 -d "$pause" "$work"/frame*.jpg -o "$made" > "$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
+    mv -f "$made" "$out" ;;
+  *.mp4)  # whose pixels are coded by twos
+    ffmpeg -v error -y -framerate "$fps" -i "file:$work/frame%05d.jpg" -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p \
+      "file:$made" < /dev/null
+    mv -f "$made" "$out" ;;
 esac
 [ -z "$keep" ] || echo "the frames are in $work"

@@ -13,10 +13,13 @@
 # RAYVIEW and RAYIMG name the programs.
 set -eu
 export LC_ALL=C  # numbers have a point
-here=$(cd "$(dirname "$0")/.." && pwd)
+here=$(cd "$(dirname "$(readlink -f "$0" || echo "$0")")" && pwd)
 absolute() { echo "$(cd "$(dirname "$1")" && pwd)/$(basename "$1")"; }
 # What lies in a build of the sources, or is installed.
-program() { if [ -x "$here/build/$1" ]; then echo "$here/build/$1"; else command -v "$1" || echo "$1"; fi; }
+program() {
+  for file in "$here/../build/$1" "$here/$1"; do [ ! -x "$file" ] || { echo "$file"; return; }; done
+  command -v "$1" || echo "$1"
+}
 rayview=$(absolute "${RAYVIEW:-$(program rayview)}")
 rayimg=${RAYIMG:-$(program rayimg)}
 usage() { echo "session.sh: $1; see the top of $0" >&2; exit 2; }

@@ -294,6 +294,11 @@ void ScnReader::WithFile(Statement& statement, const Token& name, const std::fun
   }
 }
 
+bool ScnReader::ReplacesCamera() {
+  const std::size_t depth = open_files_.size(), before = std::exchange(camera_depth_, depth);
+  return std::exchange(builder_.has_camera, true) && depth >= before;
+}
+
 void ScnReader::Warn(const Statement& statement, const std::string& message) {
   const Token& word = statement.CommandWord();
   report_.Warn(Place(CurrentFile(), word.line, word.column), message);

@@ -56,6 +56,9 @@ class ScnReader {
   std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) const {
     return options_.problem_of ? options_.problem_of(setting) : std::nullopt;
   }
+  /// Takes note of a camera in the current file. Returns true if the scene has one already that is not of a file which
+  /// this one includes: those are there to be overridden.
+  bool ReplacesCamera();
   /// A remark about the statement.
   void Warn(const Statement& statement, const std::string& message);
   /// Calls `read`, a function that reads a file named by the word `name`, and turns its failure into the statement's.
@@ -105,6 +108,7 @@ class ScnReader {
   SceneBuilder builder_;
   std::deque<OpenFile> open_files_;  // a deque: opening a file must not move the one whose statement asked for it
   std::map<std::string, KnownText> texts_;
+  std::size_t camera_depth_ = 0;  // number of files open around the last camera
   std::size_t includes_ = 0;
   std::size_t bytes_ = 0;  // of text read, an included file counted each time
 };

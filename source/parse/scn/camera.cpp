@@ -1,6 +1,5 @@
 #include <array>
 #include <numbers>
-#include <utility>
 
 #include "source/parse/scn/Placing.h"
 #include "source/parse/scn/ScnReader.h"
@@ -68,7 +67,7 @@ std::optional<AimedCamera> ReadLookingAt(Statement& statement) {
 }
 
 void ReadCamera(ScnReader& reader, Statement& statement) {
-  if (std::exchange(reader.Builder().has_camera, true))
+  if (reader.ReplacesCamera())
     reader.Warn(statement, "the scene has a camera already; the last one counts");
   auto aimed = statement.Takes("look_at") ? ReadLookingAt(statement) : ReadDirected(statement);
   if (!aimed) return;

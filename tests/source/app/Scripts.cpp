@@ -154,6 +154,126 @@ TEST(ParallelScript, NamesAreNeverPatterns) {
   }
 }
 
+/// Runs movie.sh with a raypro that takes note of each frame that it renders, in "rendered", and refuses the frame that
+/// a file "refuse" names.
+Ended CountedMovie(const TemporaryFolder& place, const std::string& words) {
+  const std::string raypro = WriteFile(place / "raypro.sh", R"x(#!/bin/sh
+case "$*" in *-check* | *-convert*) exec "$REAL" "$@" ;; esac
+echo frame >> rendered
+[ ! -f refuse ] || case "$*" in *"$(cat refuse)"*) exit 1 ;; esac
+exec "$REAL" "$@"
+)x");
+  std::filesystem::permissions(raypro, std::filesystem::perms::owner_all);
+  return RunScript(place, "movie.sh", words + " -width 16 -height 12", "REAL=\"$RAYPRO\" RAYPRO=./raypro.sh");
+}
+
+constexpr const char* moving = "define t 0\ncamera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nsphere -1  $t 0 0  1\n";
+
+TEST(MovieScript, WhatIsRefusedIsRefusedBeforeTheFirstFrame) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const struct {
+    std::string words;
+    int status;
+    std::string said;
+  } refusals[] = {
+      {"-define t 0,5 1 in.scn out.avi", 2, "-define t must be a number such as -1 or 0.5, got '0,5'"},
+      {"-define t 0 one in.scn out.avi", 2, "got 'one'"},
+      {"-define t 0 1/2 in.scn out.avi", 2, "got '1/2'"},
+      {"-define t 0 1e999 in.scn out.avi", 2, "got '1e999'"},
+      {"-define t 0 '1\n' in.scn out.avi", 2, "got '1"},
+      {"-define t 0 nan in.scn out.avi", 2, "got 'nan'"},
+      {"-sweep aperture 0 '' in.scn out.avi", 2, "-sweep aperture must be a number"},
+      {"-sweep aperture 0 0x1 in.scn out.avi", 2, "got '0x1'"},
+      {"-sweep samples 1 4 -frames 3 in.scn out.avi", 2, "-samples"},  // 2.5
+      {"-sweep samples 4 -1 in.scn out.avi", 2, "-samples"},
+      {"-turntable -turns 1,5 in.scn out.avi", 2, "-turns must be a number"},
+      {"-turntable -fps 24,5 in.scn out.avi", 2, "-fps must be a number"},
+      {"-turntable -fps 0 in.scn out.avi", 2, "-fps must be 0.1 to 1000"},
+      {"-turntable -fps -5 in.scn out.avi", 2, "-fps must be 0.1 to 1000"},
+      {"-turntable -frames 2.5 in.scn out.avi", 2, "-frames must be a whole number"},
+      {"-turntable -frames 08 in.scn out.avi", 2, "-frames must be a whole number"},
+      {"-to '0 0 5 0 0 -1 0 1 0 0,4' in.scn out.avi", 2, "-to must be a number"},
+      {"-to '0 0 5 0 0 -1 0 1 0' in.scn out.avi", 2, "-to needs ten numbers"},
+      {"-to '0 0 5 0 0 0 0 1 0 .4' in.scn out.avi", 3, "frame00047.scn:2"},  // no direction at the end of the way
+      {"-turntable in.scn nowhere/out.avi", 4, "the folder 'nowhere' does not exist"},
+      {"-turntable in.scn folder.avi", 4, "it is a folder"},
+      {"-turntable in.scn out.avi -samples 0", 2, "-samples"},
+      {"-turntable in.scn out.avi -sample 4", 2, "unknown option '-sample'"},
+      {"-define t 1 -1 wrong.scn out.avi", 3, "radius must not be negative, got -1"},  // at the end only
+  };
+  for (const auto& [words, status, said] : refusals) {
+    const SceneFolder place(moving);
+    WriteFile(place / "wrong.scn", "define t 0\nsphere -1 0 0 0 $t\n");
+    std::filesystem::create_directory(place / "folder.avi");
+    const Ended ended = CountedMovie(place, words);
+    EXPECT_EQ(ended.status, status) << words << ended.said;
+    EXPECT_TRUE(Has(ended.said, said)) << words << ended.said;
+    EXPECT_EQ(place.Others({"in.scn", "wrong.scn", "folder.avi", "raypro.sh", "said"}), testing::nothing) << words;
+  }
+}
+
+TEST(MovieScript, ItsOwnCamerasAreNoReasonForWarnings) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const SceneFolder place(moving);
+  for (const char* way : {"-turntable", "-to '0 0 5 0 0 -1 0 1 0 .4'"}) {
+    const Ended ended = CountedMovie(place, std::string(way) + " -define t 0 1e-1 -frames 3 in.scn out.avi");
+    EXPECT_EQ(ended.status, 0) << ended.said;
+    EXPECT_EQ(ended.said, "");
+  }
+}
+
+TEST(MovieScript, FramesOutliveWhatFailsAfterThem) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const std::string words = "-define t 0 1 -frames 3 in.scn out.avi";
+  const SceneFolder place(moving);
+  WriteFile(place / "refuse", "frame00002.scn");
+  const Ended among = CountedMovie(place, words);
+  EXPECT_NE(among.status, 0);
+  EXPECT_TRUE(std::filesystem::exists(FramesOf(place, among) / "frame00001.jpg")) << among.said;
+  WriteFile(place / "rayimg.sh", "exit 4\n");
+  std::filesystem::permissions(place / "rayimg.sh", std::filesystem::perms::owner_all);
+  const Ended last = RunScript(place, "movie.sh", words + " -width 16 -height 12", "RAYIMG=./rayimg.sh");
+  EXPECT_EQ(last.status, 4);
+  EXPECT_TRUE(std::filesystem::exists(FramesOf(place, last) / "frame00002.jpg")) << last.said;
+}
+
+TEST(MovieScript, NamesAreNeverPatterns) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const TemporaryFolder place;
+  const std::string folder = R"(a [1] {b}\n 'c')", name = R"(x "y" \t$z#.scn)";
+  std::filesystem::create_directory(place / folder);
+  WriteFile(place / folder + "/" + name, moving);
+  WriteFile(place / "name", folder + "/" + name);
+  const Ended ended = RunScript(
+      place, "movie.sh",
+      "-define t 0 1 -turntable -frames 2 -width 16 -height 12 \"$(cat name)\" 'o[1] %d.avi'");
+  EXPECT_EQ(ended.status, 0) << ended.said;
+  EXPECT_TRUE(std::filesystem::exists(place / "o[1] %d.avi")) << ended.said;
+}
+
+TEST(MovieScript, ProgramsBesideItAreFoundOffThePath) {
+  NEEDS_THE_PROGRAM();
+  NEEDS_RAYIMG();
+  const SceneFolder place(moving);
+  const auto script = std::filesystem::canonical(project::Root()) / "script" / "movie.sh";
+  std::filesystem::create_directory(place / "bin");
+  std::filesystem::copy(script, place / "bin/raypro-movie");
+  for (const char* variable : {"RAYPRO", "RAYIMG"})
+    std::filesystem::create_symlink(std::filesystem::canonical(testing::ProgramName(variable)),
+                                    place / (std::string("bin/") + (variable[3] == 'P' ? "raypro" : "rayimg")));
+  std::filesystem::create_symlink("bin/raypro-movie", place / "linked");
+  for (const char* command : {"sh bin/raypro-movie", "./linked"}) {
+    const std::string all = "cd '" + place.Path().string() + "' && env -u RAYPRO -u RAYIMG PATH=/usr/bin:/bin " + command +
+                            " -define t 0 1 -frames 2 -width 16 -height 12 in.scn out.avi > said 2>&1";
+    EXPECT_EQ(std::system(all.c_str()), 0) << command << ReadFile(place / "said");
+    EXPECT_TRUE(std::filesystem::remove(place / "out.avi")) << command;
+  }
+}
+
 TEST(PreviewDifferenceScript, AProgramThatFailsIsAFailure) {
   NEEDS_THE_PROGRAM();
   NEEDS_RAYIMG();
