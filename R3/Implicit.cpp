@@ -12,25 +12,42 @@
 namespace R3 {
 namespace {
 
-/// Whether a number of a formula says that a place is inside: 0 or below. NaN, where it is not defined, does not.
-bool IsInside(double value) { return value <= 0; }
 /// Whether bounds on a formula say for all of a stretch that it is inside, or that it is not. Bounds that are no numbers
 /// say nothing.
 bool Decides(const Interval& value) { return value.low > 0 || value.high <= 0; }
 
-/// Whether places of a ray are inside of a formula.
+/// Whether places of a ray are inside of a formula: where it is below 0, and where it is 0 beside another place that is
+/// inside. So a surface that a formula only touches, as (f)^2 does, is none, whatever rounding makes of it. Where it is
+/// not defined is outside.
 class InsideTest {
  public:
-  InsideTest(const Expression& formula, const Ray& ray) : formula_(formula), ray_(ray) {}
+  /// `enter` and `leave`: where the ray meets the box.
+  InsideTest(const Expression& formula, const Ray& ray, double enter, double leave)
+      : formula_(formula),
+        ray_(ray),
+        enter_(enter),
+        leave_(leave),
+        shortest_(64 * unit_roundoff * std::max(std::abs(enter), std::abs(leave))) {}
 
-  bool operator()(double t) {
-    const Point p = ray_.At(t);
-    return IsInside(formula_.At(p.x, p.y, p.z, values_));
-  }
+  bool operator()(double t) { return Of(t, ValueAt(t)); }
+  /// The same of a place where the value is known.
+  bool Of(double t, double value) { return value < 0 || (value == 0 && IsBesideInside(t)); }
+  /// How near places are that rounding cannot tell apart.
+  double Shortest() const { return shortest_; }
 
  private:
+  double ValueAt(double t) {
+    const Point p = ray_.At(t);
+    return formula_.At(p.x, p.y, p.z, values_);
+  }
+  bool IsBesideInside(double t) {
+    const double before = t - shortest_, after = t + shortest_;
+    return (before >= enter_ && ValueAt(before) <= 0) || (after <= leave_ && ValueAt(after) <= 0);
+  }
+
   const Expression& formula_;
   const Ray& ray_;
+  double enter_, leave_, shortest_;
   std::vector<double> values_;
 };
 
@@ -38,11 +55,10 @@ class InsideTest {
 class FormulaOnLine {
  public:
   FormulaOnLine(const Expression& formula, const Ray& ray, InsideTest& is_inside)
-      : is_inside_(is_inside), lanes_(formula, ray) {}
+      : is_inside_(is_inside), lanes_(formula, ray), shortest_(is_inside.Shortest()) {}
 
   /// The first change between inside and outside after t_min. Which changes there are does not depend on t_min.
   std::optional<double> FirstChange(double low, double high, double t_min) {
-    shortest_ = 64 * unit_roundoff * std::max(std::abs(low), std::abs(high));
     std::vector<Stretch> waiting{{low, high, is_inside_(low), is_inside_(high), most_divisions, State::undecided}};
     for (int looked_at = 0; !waiting.empty(); ++looked_at) {
       if (looked_at % 64 == 63 && SearchLimit::EndsSearches()) return {};
@@ -103,7 +119,7 @@ class FormulaOnLine {
       return;
     }
     const Lanes& values = lanes_.At(t);
-    for (std::size_t i = 0; i < parts; ++i) is_inside[i] = IsInside(values.at[i]);
+    for (std::size_t i = 0; i < parts; ++i) is_inside[i] = is_inside_.Of(t.at[i], values.at[i]);
   }
 
   /// What intervals say of the formula from each end to the next, the first beginning at `low`. Around the middle, the
@@ -148,7 +164,7 @@ class FormulaOnLine {
     for (int step = 0;; ++step) {
       const Lanes& f = lanes_.At(t);
       std::size_t k = 0;  // the first that is not as the stretch begins
-      while (k < parts && IsInside(f.at[k]) == s.begins_inside) ++k;
+      while (k < parts && is_inside_.Of(t.at[k], f.at[k]) == s.begins_inside) ++k;
       const double width = high - low;
       if (k > 0) low = t.at[k - 1];
       if (k < parts) high = t.at[k];
@@ -204,7 +220,7 @@ class FormulaOnLine {
 
   InsideTest& is_inside_;
   FormulaLanes lanes_;
-  double shortest_ = 0;
+  double shortest_;
 };
 
 /// The direction of a gradient; 0 0 0 if it has none.
@@ -224,7 +240,7 @@ std::optional<Hit> Implicit::Intersect(const Ray& ray, int) const {
     ClipToSlab(span, box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis], 2 * axis, 2 * axis + 1);
   if (!(span.enter < span.leave) || !std::isfinite(span.enter) || !std::isfinite(span.leave)) return {};
   if (span.leave <= ray.t_min || span.enter >= ray.t_max) return {};
-  InsideTest is_inside(formula_, ray);
+  InsideTest is_inside(formula_, ray, span.enter, span.leave);
   const auto before_end = [&](double t, int part) {
     return t < ray.t_max ? std::optional(Hit{.t = t, .part = part}) : std::nullopt;
   };

@@ -6,8 +6,9 @@
 namespace R3 {
 
 /// The solid where a formula is not above 0, cut off by a box: its own surface and, where that leaves the box, the
-/// box's faces. Where the formula is not defined is outside; where it is 0 in a region, that is inside. Where it has no
-/// slope at the surface, or a slope of 0, the normal is that a little before it along the ray.
+/// box's faces. Where the formula is not defined is outside. Where it is 0 in a region is inside; where it only touches
+/// 0, there is no surface. Where it has no slope at the surface, or a slope of 0, the normal is that a little before it
+/// along the ray.
 ///
 /// Along a ray, stretches in which interval arithmetic excludes 0 hold no crossing. In stretches in which it excludes 0
 /// for the slope there is one if the signs at the ends differ, and it is found to the last bits. Others are divided in

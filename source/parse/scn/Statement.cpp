@@ -17,7 +17,8 @@ bool LooksLikeNumber(std::string_view word) { return word.starts_with("nan") || 
 
 /// True if the word would be a formula if it stood in parentheses: "1/2", "$a+1".
 bool IsArithmetic(std::string_view word) {
-  if (word.find_first_of("+-*/^(", 1) == std::string_view::npos) return false;
+  const std::size_t behind_signs = word.find_first_not_of("+-");
+  if (word.find_first_of("+-*/^(", behind_signs) == std::string_view::npos) return false;
   try {
     R3::Evaluate(word, [](std::string_view) { return 0.5; });
     return true;

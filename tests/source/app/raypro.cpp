@@ -406,7 +406,7 @@ TEST(Raypro, ALensIsRefusedForProjectionsWithoutOne) {
   const std::string refusal = "-aperture has no effect with -projection latlong, which has no lens";
   const SceneFolder plain, with_lens("set aperture .1\nset focus 5\n" + small_scene);
   const auto said = [](const SceneFolder& place, std::vector<std::string> words) {
-    words.insert(words.begin(), {place.Scene(), place / "out.ppm", "-width", "8", "-height", "8"});
+    words.insert(words.begin(), {place.Scene(), place / "out.ppm", "-width", "8", "-height", "8", "-quiet"});
     const Finished done = RunProgram(words);
     EXPECT_EQ(done.status == 0, done.error.empty()) << done.error;
     return done.error;
