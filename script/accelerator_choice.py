@@ -3,7 +3,7 @@
 
     script/accelerator_choice.py [-width 128] [-rounds 3] [name ...]
 
-For each scene: build and render in seconds, on one thread, the least of some rounds, with `auto` and with each of the other
+For each scene: build and render in CPU seconds, on one thread, the least of some rounds, with `auto` and with each of the other
 accelerators; what auto chose; and the ratio of auto's time to that of the fastest. Exits with 1 if that is above 1.5 in one of
 them, by more than ten milliseconds. RAYPRO names the program (default build/raypro).
 """
@@ -161,7 +161,8 @@ def seconds(folder, name, accelerator, width, rounds, limit):
         except subprocess.TimeoutExpired:
             break
         read = json.loads(report.read_text())
-        time = find(read, "build") + find(read, "render")
+        # In processor time, if other work interrupts this one.
+        time = (find(read, "build") + find(read, "render")) * min(1, find(read, "cpu") / find(read, "wall"))
         least, used = min(least, time), find(read, "accelerator", str)
     return least, used
 
