@@ -124,7 +124,7 @@ TEST(Implicit, E10_RaysThatStartOnTheirSurfaceEnd) {
 TEST(Implicit, B13_WhereAFormulaIsZeroIsSolid) {
   ExpectTheSame(SolidOf("max(x^2 + y^2 + z^2 - 2, 0)"), *MakeShape("sphere", {0, 0, 0, std::sqrt(2.0)}));
   ExpectTheSame(SolidOf("abs(x) + x + max(abs(y) - 1, 0) + max(abs(z) - 1, 0)"), *MakeShape("box", {-2, -1, -1, 0, 1, 1}),
-                Count(600, 30'000));
+                Count(300, 30'000));
   ExpectTheSame(SolidOf("0", {{-1, -1, -1}, {1, 1.5, 1}}), *MakeShape("box", {-1, -1, -1, 1, 1.5, 1}));
 }
 
@@ -134,7 +134,7 @@ TEST(Implicit, B13_NormalsAreRightWhereTheSlopeIsZeroOrUndefined) {
                 *MakeShape("box", {-1, -1.5, -0.5, 1, 1.5, 0.5}));
   ExpectTheSame(SolidOf("sqrt(max(abs(x) - 1, 0)^2 + max(abs(y) - 1.5, 0)^2 + max(abs(z) - 0.5, 0)^2) + "
                         "min(max(max(abs(x) - 1, abs(y) - 1.5), abs(z) - 0.5), 0)"),
-                *MakeShape("box", {-1, -1.5, -0.5, 1, 1.5, 0.5}), Count(600, 30'000));
+                *MakeShape("box", {-1, -1.5, -0.5, 1, 1.5, 0.5}), Count(300, 30'000));
   // A jump from 1 to -1 across x = 0.3, with no slope anywhere.
   const Implicit jump = SolidOf("(0.3 - x) / abs(0.3 - x)");
   const Ray ray{{-5, 0.2, 0.1}, {1, 0.1, 0}};
@@ -183,7 +183,8 @@ std::string RandomFormula(Draw& draw, int depth) {
 TEST(Implicit, E10_RaysOnInAndBesideRandomSurfacesEnd) {
   double slowest = 0;
   int tried = 0;
-  for (int number = 0; number < Count(1500, 1'000'000); ++number) {
+  for (int number = 0; number < Count(500, 1'000'000); ++number) {
+    if (number % 50'000 == 49'999) std::printf("%d so far; the slowest ray took %.1f ms\n", tried, 1e3 * slowest);
     Draw draw(static_cast<std::uint64_t>(number) + 5'000'000);
     std::string text = RandomFormula(draw, draw.Whole(1, 4));
     std::optional<Expression> formula;
@@ -204,7 +205,7 @@ TEST(Implicit, E10_RaysOnInAndBesideRandomSurfacesEnd) {
       const auto before = std::clock();
       const auto hit = solid.Intersect(ray, 0);
       const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-      if (seconds > 0.005 && std::getenv("RAYPRO_NIGHT"))
+      if (seconds > 0.01 && std::getenv("RAYPRO_NIGHT"))
         std::printf("%.1f ms from %g %g %g: %s\n", 1e3 * seconds, start.x, start.y, start.z, text.c_str());
       slowest = std::max(slowest, seconds);
       if (!hit) continue;
@@ -215,7 +216,7 @@ TEST(Implicit, E10_RaysOnInAndBesideRandomSurfacesEnd) {
     }
   }
   std::printf("%d formulas; the slowest ray took %.1f ms\n", tried, 1e3 * slowest);
-  EXPECT_GT(tried, Count(1000, 700'000));
+  EXPECT_GT(tried, Count(350, 700'000));
 }
 
 }  // namespace

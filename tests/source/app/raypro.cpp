@@ -370,7 +370,7 @@ TEST(Raypro, ARequestWhoseAnswerCannotBeWrittenFails) {
 TEST(Raypro, WarnsOnceOfWhatIsLikelyAMistake) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place("camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\n" + small_scene + "sphere -1  0 0 6  1\n");
-  const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8"});
+  const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8", "-quiet"});
   EXPECT_EQ(done.status, 0);
   EXPECT_EQ(done.error, place.Scene() + ":2:1: warning: the scene has a camera already; the last one counts\n" +
                             place.Scene() + ": warning: the camera is inside 1 shape\n");
