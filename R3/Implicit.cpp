@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "R3/SearchLimit.h"
+#include "R3/Warp.h"
 #include "R3/shapes/FormulaLanes.h"
 #include "R3/shapes/PlanarUv.h"
 #include "R3/shapes/Span.h"
@@ -54,20 +55,22 @@ class InsideTest {
 /// A formula along the line of a ray.
 class FormulaOnLine {
  public:
-  FormulaOnLine(const Expression& formula, const Ray& ray, InsideTest& is_inside)
-      : is_inside_(is_inside), lanes_(formula, ray), shortest_(is_inside.Shortest()) {}
+  FormulaOnLine(const Expression& formula, const Ray& ray, InsideTest& is_inside, double low, double high)
+      : is_inside_(is_inside), lanes_(formula, ray), shortest_(is_inside.Shortest()) {
+    waiting_.push_back({low, high, is_inside_(low), is_inside_(high), most_divisions, State::undecided});
+  }
 
-  /// The first change between inside and outside after t_min. Which changes there are does not depend on t_min.
-  std::optional<double> FirstChange(double low, double high, double t_min) {
-    std::vector<Stretch> waiting{{low, high, is_inside_(low), is_inside_(high), most_divisions, State::undecided}};
-    for (int looked_at = 0; !waiting.empty(); ++looked_at) {
-      if (looked_at % 64 == 63 && SearchLimit::EndsSearches()) return {};
-      const Stretch stretch = waiting.back();
-      waiting.pop_back();
+  /// The next change between inside and outside after t_min, which grows from one call to the next. Which changes there
+  /// are does not depend on it.
+  std::optional<double> NextChange(double t_min) {
+    while (!waiting_.empty()) {
+      if (SearchLimit::EndsSearches()) return {};
+      const Stretch stretch = waiting_.back();
+      waiting_.pop_back();
       if (!(stretch.high > t_min) || stretch.state == State::unchanged) continue;
       const bool is_short = stretch.high - stretch.low <= shortest_ || stretch.divisions == 0;
       if (stretch.state == State::undecided && !is_short) {
-        Divide(stretch, waiting);
+        Divide(stretch);
       } else if (stretch.begins_inside != stretch.ends_inside) {
         const double t = ChangeIn(stretch);
         if (t > t_min) return t;
@@ -92,7 +95,7 @@ class FormulaOnLine {
   // divisions of everything.
   static constexpr int most_divisions = 1 + 8 + 64 + 512 + 4096;
 
-  void Divide(const Stretch& s, std::vector<Stretch>& waiting) {
+  void Divide(const Stretch& s) {
     // In two where parts would be shorter than rounding.
     const std::size_t count = s.high - s.low > parts * shortest_ / 2 ? parts : 2;
     const double width = (s.high - s.low) / static_cast<double>(count);
@@ -109,7 +112,7 @@ class FormulaOnLine {
     const int divisions = undecided > 0 ? (s.divisions - 1) / static_cast<int>(undecided) : 0;
     for (std::size_t i = count; i-- > 0;)
       if (states[i] != State::unchanged)
-        waiting.push_back({i > 0 ? ends.at[i - 1] : s.low, ends.at[i], i > 0 ? is_inside[i - 1] : s.begins_inside,
+        waiting_.push_back({i > 0 ? ends.at[i - 1] : s.low, ends.at[i], i > 0 ? is_inside[i - 1] : s.begins_inside,
                            is_inside[i], divisions, states[i]});
   }
 
@@ -221,6 +224,7 @@ class FormulaOnLine {
   InsideTest& is_inside_;
   FormulaLanes lanes_;
   double shortest_;
+  std::vector<Stretch> waiting_;  // the nearest last
 };
 
 /// The direction of a gradient; 0 0 0 if it has none.
@@ -233,22 +237,39 @@ bool Implicit::IsDegenerate() const {
   return !(size.x > 0 && size.y > 0 && size.z > 0);
 }
 
-std::optional<Hit> Implicit::Intersect(const Ray& ray, int) const {
-  if (IsDegenerate() || !IsFinite(FromOrigin(ray.origin)) || !IsFinite(ray.direction)) return {};
+/// Offers the crossings of a ray in order, until one is not taken.
+template <typename Take>
+void Implicit::OfferCrossings(const Ray& ray, const Take& take) const {
+  if (IsDegenerate() || !IsFinite(FromOrigin(ray.origin)) || !IsFinite(ray.direction)) return;
   Span span;
   for (int axis = 0; axis < 3; ++axis)
     ClipToSlab(span, box_.low[axis], box_.high[axis], ray.origin[axis], ray.direction[axis], 2 * axis, 2 * axis + 1);
-  if (!(span.enter < span.leave) || !std::isfinite(span.enter) || !std::isfinite(span.leave)) return {};
-  if (span.leave <= ray.t_min || span.enter >= ray.t_max) return {};
+  if (!(span.enter < span.leave) || !std::isfinite(span.enter) || !std::isfinite(span.leave)) return;
+  if (span.leave <= ray.t_min || span.enter >= ray.t_max) return;
   InsideTest is_inside(formula_, ray, span.enter, span.leave);
-  const auto before_end = [&](double t, int part) {
-    return t < ray.t_max ? std::optional(Hit{.t = t, .part = part}) : std::nullopt;
-  };
-  if (span.enter > ray.t_min && is_inside(span.enter)) return before_end(span.enter, span.enter_part);
-  FormulaOnLine formula(formula_, ray, is_inside);
-  if (const auto t = formula.FirstChange(span.enter, span.leave, ray.t_min)) return before_end(*t, surface);
-  if (is_inside(span.leave)) return before_end(span.leave, span.leave_part);
-  return {};
+  double last = ray.t_min;
+  const auto is_taken = [&](double t, int part) { return t < ray.t_max && take(Hit{.t = last = t, .part = part}); };
+  if (span.enter > last && is_inside(span.enter) && !is_taken(span.enter, span.enter_part)) return;
+  FormulaOnLine formula(formula_, ray, is_inside, span.enter, span.leave);
+  while (const auto t = formula.NextChange(last))
+    if (!is_taken(*t, surface)) return;
+  if (span.leave > last && is_inside(span.leave)) is_taken(span.leave, span.leave_part);
+}
+
+std::optional<Hit> Implicit::Intersect(const Ray& ray, int) const {
+  std::optional<Hit> first;
+  OfferCrossings(ray, [&](const Hit& hit) { return first = hit, false; });
+  return first;
+}
+
+Crossings Implicit::CrossingsAlong(const Ray& ray, int) const {
+  Crossings crossings;
+  OfferCrossings(ray, [&](const Hit& hit) {
+    crossings.may_have_more = crossings.count == Crossings::most;
+    if (!crossings.may_have_more) crossings.Add(hit);
+    return !crossings.may_have_more;
+  });
+  return crossings;
 }
 
 Intersection Implicit::At(const Ray& ray, const Hit& hit, int) const {
@@ -284,7 +305,7 @@ Vector Implicit::GradientAt(const Point& p) const {
 
 /// Ever farther before and behind the surface along the ray, from where coordinates are known to, until there is a
 /// slope: of (f)^3 and of distances as roots of squares it is that of the surface. Where a formula jumps between values
-/// without a slope, differences over the last of these ways show the direction.
+/// without a slope, the surface is taken to be the plane through three of its places nearby.
 Vector Implicit::DirectionNear(const Point& p, const Vector& way) const {
   constexpr double least = 4 * unit_roundoff, most = 0x1p-16;  // of the size of the box and its distance
   const double reach =
@@ -295,17 +316,33 @@ Vector Implicit::DirectionNear(const Point& p, const Vector& way) const {
       const Vector direction = UnitOrZero(GradientAt(p + side * step * reach * unit));
       if (!(direction == Vector{})) return direction;
     }
+  return AcrossJump(p, unit, most * reach);
+}
+
+Vector Implicit::AcrossJump(const Point& p, const Vector& way, double radius) const {
   std::vector<double> values;
-  const auto difference_along = [&](double x, double y, double z) {
-    const Vector half = most * reach * Vector{x, y, z};
-    const Point after = p + half, before = p - half;
-    const double difference =
-        formula_.At(after.x, after.y, after.z, values) - formula_.At(before.x, before.y, before.z, values);
-    return std::isfinite(difference) ? difference : 0;
+  const auto is_inside = [&](const Point& at) { return formula_.At(at.x, at.y, at.z, values) <= 0; };
+  Vector outward;  // from the neighbors that are inside to those that are not
+  for (int i = 0; i < 27; ++i) {
+    const Vector to{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+    outward = outward + (is_inside(p + radius * to) ? -1.0 : 1.0) * to;
+  }
+  const Vector rough = outward == Vector{} ? -way : Unit(outward);
+  const Tangents across = TangentsOf(rough);
+  // Where the jump is on a line beside p along `rough`, by bisection.
+  const auto place_beside = [&](const Vector& aside) {
+    const Point start = p + radius * aside;
+    double low = -2 * radius, high = 2 * radius;  // inside; outside
+    for (int i = 0; i < 40; ++i) {
+      const double middle = (low + high) / 2;
+      (is_inside(start + middle * rough) ? low : high) = middle;
+    }
+    return start + low * rough;
   };
-  const Vector direction =
-      UnitOrZero({difference_along(1, 0, 0), difference_along(0, 1, 0), difference_along(0, 0, 1)});
-  return direction == Vector{} ? -unit : direction;
+  const Point a = place_beside(across.first), b = place_beside(across.second), c = place_beside(-across.first);
+  const Vector normal = Unit(Cross(a - b, c - b));
+  if (!(std::abs(Dot(normal, rough)) > 0.5)) return rough;  // it is no plane
+  return Dot(normal, rough) > 0 ? normal : -normal;
 }
 
 /// The formula's value at the rounded place, as far as intervals know it, over its slope there is how far the surface

@@ -23,6 +23,7 @@ class Implicit : public Shape {
 
   Box Bounds(int) const override { return box_; }
   std::optional<Hit> Intersect(const Ray& ray, int) const override;
+  Crossings CrossingsAlong(const Ray& ray, int) const override;
   Intersection At(const Ray& ray, const Hit& hit, int) const override;
   UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int element) const override;
   bool IsDegenerate() const override;
@@ -32,12 +33,16 @@ class Implicit : public Shape {
   /// The part of a hit on the formula's surface; the faces of the box are the parts before it.
   static constexpr int surface = 6;
 
+  template <typename Take>
+  void OfferCrossings(const Ray& ray, const Take& take) const;
   Intersection OnFace(const Point& p, int face) const;
   /// `way`: the direction of the ray that led to it.
   Intersection OnSurface(const Point& p, const Vector& way) const;
   Vector GradientAt(const Point& p) const;
   /// Returns the unit normal at a place of the surface where the formula has no slope, or a slope of 0.
   Vector DirectionNear(const Point& p, const Vector& way) const;
+  /// Returns that of a place where the formula jumps. `way` is unit; `radius` is how far to look around.
+  Vector AcrossJump(const Point& p, const Vector& way, double radius) const;
 
   Expression formula_;
   Box box_;

@@ -130,7 +130,7 @@ class FieldOnLine {
     if (!is_wanted(cell.high)) return {};
     const int changes = SignChanges(cell.field);
     if (changes == 0) return {};
-    const bool is_known = std::ranges::any_of(cell.field, [&](double c) { return !(std::abs(c) <= pad_); });
+    const bool is_known = std::ranges::any_of(cell.field, [&](double c) { return std::abs(c) > pad_; });
     const double middle = cell.low + (cell.high - cell.low) / 2;
     if (changes > 1 && halvings > 0 && is_known && cell.low < middle && middle < cell.high) {
       const auto [first, second] = Halves(cell, middle);

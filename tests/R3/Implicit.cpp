@@ -142,6 +142,14 @@ TEST(Implicit, B13_NormalsAreRightWhereTheSlopeIsZeroOrUndefined) {
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->t, 5.3, 1e-12);
   EXPECT_GT(std::abs(jump.At(ray, *hit, 0).normal.x), 0.9999);
+  const Implicit slanted = SolidOf("(x + 2 y + 3 z) / abs(x + 2 y + 3 z)");
+  Draw draw(73);
+  for (int i = 0; i < 50; ++i) {
+    const Ray oblique = RayThroughSolid(draw);
+    const auto met = slanted.Intersect(oblique, 0);
+    if (!met || met->part != 6) continue;
+    EXPECT_GT(Dot(slanted.At(oblique, *met, 0).normal, Unit({1, 2, 3})), 1 - 1e-6);
+  }
 }
 
 /// A random formula. Its surface goes through the origin if it is taken less its value there.
