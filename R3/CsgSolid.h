@@ -13,8 +13,8 @@ struct CsgSolid {
   /// The solid of a part that has one; the part must outlive it.
   CsgSolid(const CsgPart& of, std::uint32_t number);
 
-  /// How far off the surface a crossing may be, in the csg's frame, for a ray whose origin has coordinates of at most
-  /// `farthest`, rounded up generously: base + share * farthest.
+  /// A bound on the distance of crossings from the surface, in the csg's frame: base + share * f, where f is the
+  /// largest coordinate of the ray's origin.
   struct Pad {
     double base = 0, share = 0;
   };

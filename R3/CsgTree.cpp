@@ -6,12 +6,12 @@
 namespace R3 {
 namespace {
 
-/// With fewer parts of a union, a box around some of them costs more than it saves.
+/// The most parts of a union that have no box around some of them: it would cost more than it saves.
 constexpr std::size_t few_parts = 4;
 
 }  // namespace
 
-/// Without recursion, since parts may be in one another a hundred thousand deep.
+/// Makes the steps. There is no recursion, since operations can be nested a hundred thousand deep.
 class CsgTree::Builder {
  public:
   Builder(const std::vector<CsgPart>& parts, std::vector<Box> boxes) : parts_(parts), boxes_(std::move(boxes)) {
@@ -43,7 +43,7 @@ class CsgTree::Builder {
     std::uint32_t ends = none;
   };
 
-  /// By the boxes of all that a part is in.
+  /// Cuts the box of each part by the boxes of all parts around it.
   void CutBoxes() {
     for (std::size_t i = 1; i < parts_.size(); ++i)
       boxes_[i] = Common(boxes_[i], boxes_[static_cast<std::size_t>(parts_[i].parent)]);

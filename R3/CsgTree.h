@@ -22,7 +22,7 @@ namespace R3 {
 class CsgTree {
  public:
   CsgTree() = default;
-  ///   boxes   of the parts, each tight by operation; empty for what is not there
+  ///   boxes   one per part, tight by operation; empty if the part is
   ///   pad     by which boxes are widened, see CsgSolid: base + share * the largest coordinate of a ray's origin
   CsgTree(const std::vector<CsgPart>& parts, std::vector<Box> boxes, double pad_base, double pad_share);
 
@@ -67,7 +67,7 @@ class CsgTree {
     std::uint32_t of = none;         // the step of one, which ends where the part before this one is crossed nowhere
     bool is_tested = true;           // the box is not that of the step around this one
   };
-  /// How many crossings had been found before the first and before the latest part of an operation.
+  /// The numbers of crossings found before the first and before the latest part of an operation.
   struct Operation {
     std::size_t before_all = 0, before_last = 0;
   };

@@ -44,7 +44,7 @@ inline std::optional<R3::Hit> FirstCrossing(const World& world, const R3::Ray& r
   return hit;
 }
 
-/// Whether the element, crossed at `hit` or from `begin` on, is in the way of a shadow ray.
+/// Returns true if the element is in the way of a shadow ray that crosses it at `hit`, or from `begin` on.
 bool IsInTheWayAt(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance, int element,
                   const R3::Hit& hit);
 bool IsInTheWayFrom(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance, int element,
