@@ -3,11 +3,11 @@
 
     script/csg_against_povray.py [-width 256] [-rounds 3] [name.scn ...]
 
-Needs povray 3.7. RAYPRO and RAYIMG name the programs (default build/raypro, build/rayimg); BEFORE names a raypro of another
-revision, for one more column.
+Needs povray 3.7. RAYPRO and RAYIMG name the programs (default build/raypro, build/rayimg); BEFORE names a raypro of
+another revision, for one more column.
 
-`nested` and `row` are 200 solids in one another, `side by side` a union of 200, `plates` eight plates with twenty-five
-holes each. All have a point light, shadows and one ray per pixel, so that images should be alike. A scene that is named,
+`nested` and `row` are 200 solids in one another, `side by side` a union of 200, `plates` eight plates with 25 holes
+each. All have a point light, shadows and one ray per pixel, so that images should be alike. A scene that is named,
 with a .pov beside it, is rendered as it is. For each: CPU seconds, the least of some rounds, without start and load;
 the ratio, above 1 in our favor; and the share of pixels that differ by more than 8 levels of 255.
 """
@@ -91,8 +91,8 @@ def save(folder, name, solid):
     half = 0.35
     (folder / (name + ".scn")).write_text("\n".join(
         ["camera 0 3 14  0 -.2 -1  0 1 0  %r .01 100" % half, "background .2 .3 .4", "ambient .3 .3 .3",
-         "point_light .7 .7 .7  5 9 7  1 0 0", "material .3 .3 .3  .7 .6 .5  0 0 0  0 0 0  0 0 0  1 1 0"] + solid.ours) +
-        "\n")
+         "point_light .7 .7 .7  5 9 7  1 0 0", "material .3 .3 .3  .7 .6 .5  0 0 0  0 0 0  0 0 0  1 1 0",
+         *solid.ours, ""]))
     side = 2 * math.tan(half)
     length = math.hypot(1, 0.2)
     (folder / (name + ".pov")).write_text(
@@ -158,8 +158,8 @@ def main():
             old = "%.3f" % ours(before, scene, asked.rounds, asked.width, image) if before else ""
             us = ours(raypro, scene, asked.rounds, asked.width, image)
             them = theirs(scene, asked.rounds, asked.width, their_image)
-            print("%-14s%9s%9.3f%9.3f%8.2f%15.2f%%" % (label, old, us, them, them / us,
-                                                      100 * share_that_differs(image, their_image)), flush=True)
+            differ = 100 * share_that_differs(image, their_image)
+            print("%-14s%9s%9.3f%9.3f%8.2f%15.2f%%" % (label, old, us, them, them / us, differ), flush=True)
 
 
 main()

@@ -128,7 +128,7 @@ std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, c
   }
   if (!grid) {
     auto chosen = take_bvh("a grid would take more than " + Fixed(within.most_build_seconds, 3) +
-                           " s to build, too long for the rays expected; considered because " + shown);
+                           " s to build, too long for its rays; considered because " + shown);
     chosen->reasons.insert(chosen->reasons.begin(), tried);
     return chosen;
   }
@@ -144,7 +144,8 @@ std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, c
 /// By what the scene is made of, and between two that may both be right by trying them.
 std::unique_ptr<Accelerator> Choose(const World& world, const AcceleratorSettings& settings) {
   const auto take = [&](const char* name, const std::string& reason) { return Take(name, reason, world, settings); };
-  if (IsCheap(world)) return take("none", Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive") + ": testing it is faster");
+  const std::string primitives = Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive");
+  if (IsCheap(world)) return take("none", primitives + ": testing it is faster");
   const double thinness = Thinness(PrimitiveSet(world));
   if (thinness == 0) return take("bvh", "more than one primitive, or one that takes long to test, and no triangles");
   const std::string shown = "bounding boxes have " + Fixed(thinness, 1) + " times the triangles' area";
