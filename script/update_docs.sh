@@ -1,6 +1,6 @@
 #!/bin/sh
 # Writes what README.md and docs/ repeat, between its markers: the tables of options, from the programs' own, and the
-# README's scene; and renders that scene to docs/first.jpg if it is newer.
+# README's scene; and renders two scenes to images of docs/ if they are newer.
 # With -check it changes nothing and fails if a text is out of date. The image is not checked: its bytes depend on libjpeg.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -39,7 +39,10 @@ check=
 [ "${1:-}" != -check ] || check=yes
 update README.md "$work/README.md"
 update docs/options.md "$work/options.md"
-if [ ! "$check" ] && [ ! "$here/docs/first.jpg" -nt "$here/scenes/first.scn" ]; then
-  # The image keeps its command, which is to be one for any checkout.
-  (cd "$here" && "$raypro" scenes/first.scn docs/first.jpg -width 480 -height 320 -samples 64 -filter mitchell -quiet)
-fi
+# Images keep their command, which is to be one for any checkout.
+picture() {  # scene, image
+  [ "$check" ] || [ "$here/$2" -nt "$here/$1" ] ||
+    (cd "$here" && "$raypro" "$1" "$2" -width 480 -height 320 -samples 64 -filter mitchell -quiet)
+}
+picture scenes/first.scn docs/first.jpg
+picture scenes/texture_directions.scn docs/directions.jpg

@@ -66,7 +66,7 @@ class Image:
     """
 
     def __init__(self, pfm, report=None, told=(), summary="", layers=None, png=None):
-        self._pfm, self._png = pfm, png
+        self._pfm, self._png, self._rendered = pfm, png, None
         self.report, self.warnings, self.summary = report or {}, list(told), summary
         self.layers = layers or {}
         _, size, scale, self._floats = pfm.split(b"\n", 3)
@@ -94,6 +94,13 @@ class Image:
         if not (0 <= x < self.width and 0 <= y < self.height):
             raise IndexError(f"no pixel {x} {y} in a picture of {self.width} x {self.height}")
         return self.array[self.height - 1 - y][x]
+
+    def debugpixel(self, x, y):
+        """The tree of the rays behind a pixel of this picture, as text: of the scene and options that rendered it."""
+        if self._rendered is None:
+            raise ValueError("this picture has no rays: it is a layer, or was not rendered here")
+        scene, folder, options = self._rendered
+        return debugpixel(scene, x, y, folder=folder, **{**options, "layers": None})
 
     def save(self, name):
         """Writes the picture; the extension says how: png, jpg, ppm, bmp, pfm, hdr, or exr where that was built in."""
@@ -139,7 +146,9 @@ def render(scene, *, progress=None, folder=None, **options):
     told = _split_warnings(said)
     for text in told:
         warnings.warn("\n" + text, stacklevel=2)
-    return Image(pfm, report, told, summary.replace(picture, "").strip(), layers, png)
+    image = Image(pfm, report, told, summary.replace(picture, "").strip(), layers, png)
+    image._rendered = scene, folder, options
+    return image
 
 
 # Modes whose PNG raypro scales to black and white; they are fast enough to be rendered twice.

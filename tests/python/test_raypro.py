@@ -82,6 +82,17 @@ class Pictures(Folder):
         with self.assertRaisesRegex(IndexError, "no pixel 24 0 in a picture of 24 x 18"):
             image.pixel(24, 0)
 
+    def test_an_image_knows_the_rays_behind_its_pixels(self):
+        for options in ({}, SIZE, {"width": 40, "height": 30, "layers": ["depth"], "samples": 2, "mode": "path"}):
+            image = raypro.render(BALL, **options)
+            x, y = image.width - 1, image.height // 2
+            tree = image.debugpixel(x, y)
+            self.assertTrue(tree.startswith(f"pixel {x} {y} of {image.width} x {image.height}"), tree)
+            for told, value in zip(tree.splitlines()[0].split(": ")[1].split(), image.pixel(x, y)):
+                self.assertAlmostEqual(float(told), float(value), places=4)
+        with self.assertRaisesRegex(ValueError, "it is a layer"):
+            image.layers["depth"].debugpixel(0, 0)
+
     @unittest.skipUnless(raypro.numpy, "numpy is not installed")
     def test_numpy_or_not_the_numbers_are_those(self):
         image = raypro.render(HELLO, **SIZE)
