@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -28,12 +29,21 @@ struct LibraryMaterial {
 
 /// Names may be followed by what looks like a comment, but may also be part of the name: "Material #25".
 std::string WithoutComment(const std::string& name) {
-  const std::size_t hash = name.find(" #");
-  return hash == std::string::npos ? name : name.substr(0, name.find_last_not_of(" \t", hash) + 1);
+  std::size_t hash = name.find('#');
+  while (hash != std::string::npos && (hash == 0 || !IsSpace(name[hash - 1]))) hash = name.find('#', hash + 1);
+  return hash == std::string::npos ? name : name.substr(0, name.find_last_not_of(" \t", hash - 1) + 1);
+}
+
+/// Illumination models 0 to 3, 5 and 8 know no transparency. Programs for photogrammetry, and MeshLab before 2023,
+/// write Tr 1 with them for opaque materials.
+bool MeansOpaque(const MtlMaterial& m) {
+  const int illum = m.illum.value_or(2);
+  return !m.d && m.Tr.value_or(0) >= 1 && (illum <= 3 || illum == 5 || illum == 8);
 }
 
 /// 1 where all behind is hidden. Programs that write both d and Tr mean d.
 double OpacityOf(const MtlMaterial& m) {
+  if (MeansOpaque(m)) return 1;
   if (m.d) return std::min(1.0, *m.d);
   return m.Tr ? 1 - std::min(1.0, *m.Tr) : 1;
 }
@@ -79,15 +89,16 @@ class MaterialMaker {
     for (const R3::Point& p : mesh.data.positions) box.Extend(p);
     extent_ = box.IsEmpty() ? 0 : MaxComponent(box.Size());
     for (const MeshName& names : mesh.material_files) ReadLibraries(names);
+    for (const auto& [name, material] : known_) by_plain_name_.try_emplace(WithoutComment(name), &material);
   }
 
   /// Nothing where the libraries have none of that name.
   const LibraryMaterial* Find(const MeshName& name) const {
     for (const std::string& wanted : {name.name, WithoutComment(name.name)})
       if (const auto found = known_.find(wanted); found != known_.end()) return &found->second;
-    const auto same = [&](const auto& known) { return WithoutComment(known.first) == WithoutComment(name.name); };
-    if (const auto found = std::ranges::find_if(known_, same); found != known_.end()) return &found->second;
-    const bool means_none = name.name == "None" || name.name == "(null)";
+    const auto same = by_plain_name_.find(WithoutComment(name.name));
+    if (same != by_plain_name_.end()) return same->second;
+    const bool means_none = name.name.empty() || name.name == "None" || name.name == "(null)";
     if (!means_none && is_complete_) WarnOfUnknown(name);
     return nullptr;
   }
@@ -95,6 +106,10 @@ class MaterialMaker {
   Material Make(const LibraryMaterial& known) {
     const MtlMaterial& m = known.material;
     Material material = WithoutImages(m);
+    if (MeansOpaque(m))
+      report_.Warn(m.place, "Tr 1 counts as opaque: illum 0 to 3, 5 and 8 know no transparency");
+    else if (OpacityOf(m) == 0 && material.kt == white && IsBlack(material.ks) && IsBlack(material.kr))
+      report_.Warn(m.place, "material " + Quoted(m.name) + " is invisible: its opacity is 0");
     if (m.map_Kd) material.texture = Image(*m.map_Kd, known.library, Assets::Use::color);
     if (m.norm) material.normal_map = Image(*m.norm, known.library, Assets::Use::data);
     if (m.bump) AddBump(*m.bump, known.library, material);
@@ -103,9 +118,8 @@ class MaterialMaker {
 
   std::shared_ptr<const Texture> Image(const MtlMap& map, const std::string& named_in, Assets::Use use) {
     try {
-      return assets_.Image(map.file, named_in, use);
+      return assets_.Image(PathOf(map.file, named_in), named_in, use);
     } catch (const FileError& error) {
-      if (auto found = ImageWithSlashes(map, named_in, use)) return found;
       report_.Warn(map.place,
                    error.message + "; the material is left without it" + (error.hint.empty() ? "" : "; " + error.hint));
       return nullptr;
@@ -113,28 +127,46 @@ class MaterialMaker {
   }
 
  private:
-  /// One name, which may have blanks, or several.
-  void ReadLibraries(const MeshName& names) {
+  bool IsThere(const std::string& name, const std::string& named_in) const {
     try {
-      return ReadLibrary(assets_.Find(names.name, file_.shown));
-    } catch (const FileError& error) {
-      if (names.name.find_first_of(" \t") == std::string::npos) return WarnOfMissing(names.place, error);
-    }
-    for (const std::string& name : SplitWords(names.name)) {
-      try {
-        ReadLibrary(assets_.Find(name, file_.shown));
-      } catch (const FileError& error) {
-        WarnOfMissing(names.place, error);
-      }
+      assets_.Find(name, named_in);
+      return true;
+    } catch (const FileError&) {
+      return false;
     }
   }
 
-  void WarnOfMissing(const std::string& place, const FileError& error) {
-    report_.Warn(place, error.message + "; its materials are gray" + (error.hint.empty() ? "" : "; " + error.hint));
-    is_complete_ = false;
+  /// Returns the first spelling of a file's name that is there: as it stands, without a comment behind it, or with the
+  /// backslashes that Windows writes turned around. Returns the name itself if none is.
+  std::string PathOf(const std::string& name, const std::string& named_in) const {
+    for (std::string path : {name, WithoutComment(name)}) {
+      if (IsThere(path, named_in)) return path;
+      std::ranges::replace(path, '\\', '/');
+      if (IsThere(path, named_in)) return path;
+    }
+    return name;
+  }
+
+  /// One name, which may have blanks, or several. Exporters repeat the statement before each object.
+  void ReadLibraries(const MeshName& names) {
+    if (!statements_.insert(names.name).second) return;
+    const std::string whole = PathOf(names.name, file_.shown);
+    if (IsThere(whole, file_.shown)) return ReadLibrary(whole, names.place);
+    for (const std::string& name : SplitWords(WithoutComment(names.name)))
+      ReadLibrary(PathOf(name, file_.shown), names.place);
+  }
+
+  void ReadLibrary(const std::string& name, const std::string& place) {
+    try {
+      ReadLibrary(assets_.Find(name, file_.shown));
+    } catch (const FileError& error) {
+      report_.Warn(place, error.message + "; its materials are gray" + (error.hint.empty() ? "" : "; " + error.hint));
+      is_complete_ = false;
+    }
   }
 
   void ReadLibrary(const FoundFile& file) {
+    if (!libraries_.insert(file.canonical).second) return;
     const Text text{file.shown, assets_.Read(file)};
     for (MtlMaterial& material : ReadMtl(text, report_)) {
       const std::string name = material.name, place = material.place;
@@ -143,23 +175,14 @@ class MaterialMaker {
     }
   }
 
+  /// Suggests a known name only for the first few: each suggestion takes time that grows with the library.
   void WarnOfUnknown(const MeshName& name) const {
+    constexpr int most_suggestions = 10;
     std::vector<std::string> names;
-    for (const auto& [known, material] : known_) names.push_back(known);
+    if (unknown_++ < most_suggestions)
+      for (const auto& [known, material] : known_) names.push_back(known);
     report_.Warn(name.place,
                  "unknown material " + Quoted(name.name) + "; its faces are gray" + DidYouMean(name.name, names));
-  }
-
-  /// Windows writes paths with backslashes.
-  std::shared_ptr<const Texture> ImageWithSlashes(const MtlMap& map, const std::string& named_in, Assets::Use use) {
-    if (map.file.find('\\') == std::string::npos) return nullptr;
-    std::string slashes = map.file;
-    std::ranges::replace(slashes, '\\', '/');
-    try {
-      return assets_.Image(slashes, named_in, use);
-    } catch (const FileError&) {
-      return nullptr;
-    }
   }
 
   /// Some programs write normal maps under the name of bump maps; heights are gray.
@@ -180,7 +203,10 @@ class MaterialMaker {
   Report& report_;
   double extent_ = 0;
   std::map<std::string, LibraryMaterial> known_;
-  bool is_complete_ = true;  // every library was found
+  std::map<std::string, const LibraryMaterial*> by_plain_name_;  // without what may be a comment
+  std::set<std::string> statements_, libraries_;                 // seen; libraries by their canonical paths
+  bool is_complete_ = true;                                      // every library was found
+  mutable int unknown_ = 0;
 };
 
 /// Makes meshes of some of the triangles of another one, with the vertices that these use.

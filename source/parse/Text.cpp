@@ -1,7 +1,12 @@
 #include "source/parse/Text.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <limits>
+
+#include "source/text/LookAlike.h"
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {
@@ -22,6 +27,14 @@ std::string LineAround(const Text& text, const Token& token) {
   return line;
 }
 
+/// Returns the word, or its first character if the word is less than that, as parsers of JSON have it.
+std::string_view WithWholeCharacter(const Text& text, std::string_view word) {
+  const char* const end = text.bytes.data() + text.bytes.size();
+  if (word.empty() || word.data() < text.bytes.data() || word.data() >= end) return word;
+  const std::string_view rest(word.data(), static_cast<std::size_t>(end - word.data()));
+  return rest.substr(0, std::max(word.size(), FirstCharacter(rest).bytes));
+}
+
 }  // namespace
 
 Location LocationOf(std::uint32_t file, const Token& token) {
@@ -39,8 +52,30 @@ SceneError ErrorAt(const Text& text, const Token& token, std::string message, st
   error.message = std::move(message);
   error.source_line = LineAround(text, token);
   error.length = std::max<std::size_t>(1, CountCharacters(token.InFile().substr(0, most_quoted)));
-  error.hint = std::move(hint);
+  error.hint = LookAlikeHint(WithWholeCharacter(text, token.InFile()));
+  if (error.hint.empty()) error.hint = std::move(hint);
   return error;
+}
+
+std::string HexColorHint(const Text& text, const Token& token) {
+  const char* const behind = token.InFile().data() + token.InFile().size();
+  std::string_view rest(behind, static_cast<std::size_t>(text.bytes.data() + text.bytes.size() - behind));
+  rest = rest.substr(0, rest.find_first_of("\r\n"));
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t:"), rest.size()));
+  if (!rest.starts_with('#')) return {};
+  const std::string_view digits = rest.substr(1, std::min(rest.find_first_of(" \t,;"), rest.size()) - 1);
+  const bool is_color = (digits.size() == 3 || digits.size() == 6 || digits.size() == 8) &&
+                        digits.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+  if (!is_color) return {};
+  const std::size_t of_channel = digits.size() == 3 ? 1 : 2;
+  std::string channels;
+  for (std::size_t i = 0; i < 3; ++i) {
+    int value = 0;
+    std::from_chars(digits.data() + i * of_channel, digits.data() + (i + 1) * of_channel, value, 16);
+    const double share = value / (of_channel == 1 ? 15.0 : 255.0);
+    channels += " " + ToText(std::round(share * 1000) / 1000);
+  }
+  return "a # begins a comment; a color is three numbers from 0 to 1:" + channels;
 }
 
 SceneError ErrorIn(const std::string& file, std::string message, std::string hint) {

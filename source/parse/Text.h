@@ -32,8 +32,10 @@ inline bool EndsLine(char c) { return c == '\n' || c == '\r'; }
 
 /// Where a word stands, in the file of that index in Scene::files; lines and columns beyond 2^32 - 1 are that.
 Location LocationOf(std::uint32_t file, const Token& token);
-/// A mistake at a word.
+/// A mistake at a word. If the word has a character that only looks right, that is the hint.
 SceneError ErrorAt(const Text& text, const Token& token, std::string message, std::string hint = {});
+/// Returns a hint if a color such as #ff0000, which is a comment, stands behind a word; otherwise an empty text.
+std::string HexColorHint(const Text& text, const Token& token);
 /// A mistake of the file as a whole.
 SceneError ErrorIn(const std::string& file, std::string message, std::string hint = {});
 

@@ -26,17 +26,8 @@ bool IsScalarValue(char32_t c, std::size_t bytes) {
 }
 
 Character First(std::string_view s) {
-  const auto lead = static_cast<unsigned char>(s[0]);
-  if (lead < 0x80) return {1, !IsControl(lead)};
-  const std::size_t bytes = lead >= 0xF8 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 1;
-  if (bytes == 1 || s.size() < bytes) return {};
-  char32_t c = lead & (0xFFu >> (bytes + 1));
-  for (std::size_t i = 1; i < bytes; ++i) {
-    if (!Continues(s[i])) return {};
-    c = c << 6 | (static_cast<unsigned char>(s[i]) & 0x3Fu);
-  }
-  if (!IsScalarValue(c, bytes)) return {};
-  return {bytes, !IsControl(c)};
+  const auto [bytes, code] = FirstCharacter(s);
+  return {bytes, !IsControl(code)};
 }
 
 std::string Hexadecimal(char c) {
@@ -46,6 +37,20 @@ std::string Hexadecimal(char c) {
 }
 
 }  // namespace
+
+CodedCharacter FirstCharacter(std::string_view s) {
+  const auto lead = static_cast<unsigned char>(s[0]);
+  if (lead < 0x80) return {1, lead};
+  const std::size_t bytes = lead >= 0xF8 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 1;
+  if (bytes == 1 || s.size() < bytes) return {};
+  char32_t c = lead & (0xFFu >> (bytes + 1));
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if (!Continues(s[i])) return {};
+    c = c << 6 | (static_cast<unsigned char>(s[i]) & 0x3Fu);
+  }
+  if (!IsScalarValue(c, bytes)) return {};
+  return {bytes, c};
+}
 
 std::size_t CountCharacters(std::string_view bytes) {
   return static_cast<std::size_t>(std::count_if(bytes.begin(), bytes.end(), [](char c) { return !Continues(c); }));

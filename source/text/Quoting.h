@@ -11,6 +11,13 @@ inline constexpr std::size_t most_quoted = 60;  // bytes of a word that a messag
 /// How many characters a line of UTF-8 has: every byte that does not continue a character begins one.
 std::size_t CountCharacters(std::string_view bytes);
 
+/// The first character of a text of UTF-8: its bytes and its code point, or one byte and 0 where that is no UTF-8.
+struct CodedCharacter {
+  std::size_t bytes = 1;
+  char32_t code = 0;
+};
+CodedCharacter FirstCharacter(std::string_view text);
+
 /// Bytes from a stranger made fit for a terminal: control characters and what is not UTF-8 as \xNN.
 std::string Escaped(std::string_view bytes);
 /// Escapes bytes, puts them in quotes and shortens them if long: 'spere'.

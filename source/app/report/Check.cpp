@@ -135,6 +135,13 @@ bool HasUnusedColor(const Material& m) {
 
 bool HasSpecular(const Material& m) { return !IsBlack(m.ks) || !IsBlack(m.kr); }
 
+/// Colors of 0 to 255 where they should be of 0 to 1. Some scenes reflect a little more than arrives; a scene whose
+/// brightest color is less than 16 of 255 would be all but black.
+bool HasKdOfBytes(const Material& m) {
+  constexpr double least = 16;
+  return std::max({m.kd.r, m.kd.g, m.kd.b}) >= least;
+}
+
 /// Adds the mistakes in single shapes.
 void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
   const auto has_no_uv = [](const Instance& i) { return !i.shape->HasTextureCoordinates(); };
@@ -147,6 +154,8 @@ void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, co
   if (ShowsLight(settings.mode) && settings.mode != RenderMode::gooch)  // whose tones are no material's
     Point(mistakes, world, "has a color but no ka, kd or ks, and is black",
           [](const Instance& i) { return HasUnusedColor(*i.material); });
+  Point(mistakes, world, "reflects more than 16 times the light that arrives: kd is from 0 to 1, not from 0 to 255",
+        [](const Instance& i) { return HasKdOfBytes(*i.material); });
   const auto is_emissive_solid = [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; };
   if (settings.mode == RenderMode::whitted && !settings.trace.emissive_solids_light)
     Point(mistakes, world, "emits but lights nothing in mode whitted; -mode path makes it a light", is_emissive_solid);

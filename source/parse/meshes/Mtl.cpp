@@ -7,11 +7,32 @@
 #include <unordered_map>
 
 #include "source/parse/meshes/MeshWords.h"
+#include "source/text/LookAlike.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Number.h"
 
 namespace ray {
 namespace {
+
+/// An option of a texture, and how many words or numbers belong to it.
+struct MapOption {
+  std::string_view name;
+  bool has_words;
+  std::size_t least, most;
+};
+
+constexpr std::array map_options{
+    MapOption{"-s", false, 1, 3},         MapOption{"-o", false, 1, 3},       MapOption{"-t", false, 1, 3},
+    MapOption{"-bm", false, 1, 1},        MapOption{"-mm", false, 2, 2},      MapOption{"-texres", false, 1, 1},
+    MapOption{"-boost", false, 1, 1},     MapOption{"-clamp", true, 1, 1},    MapOption{"-blendu", true, 1, 1},
+    MapOption{"-blendv", true, 1, 1},     MapOption{"-cc", true, 1, 1},       MapOption{"-imfchan", true, 1, 1},
+    MapOption{"-type", true, 1, 1},       MapOption{"-colorspace", true, 1, 1},
+};
+
+const MapOption* OptionNamed(std::string_view name) {
+  const auto found = std::ranges::find(map_options, name, &MapOption::name);
+  return found == map_options.end() ? nullptr : &*found;
+}
 
 /// The statements of one file. Keywords are known in any letter case, as most programs have it.
 class MtlReader {
@@ -53,12 +74,13 @@ class MtlReader {
     if (keyword == "map_bump" || keyword == "bump") return ReadMap(Last().bump);
     if (keyword == "norm") return ReadMap(Last().norm);
     if (keyword == "map_ka") return maps_of_ka_.push_back({materials_.size() - 1, keyword_, words_.RestOfLine()});
-    Warn(keyword_, Quoted(keyword_.text) + " is not supported and ignored");
+    const std::string hint = LookAlikeHint(keyword_.text);
+    Warn(keyword_, Quoted(keyword_.text) + " is not supported and ignored" + (hint.empty() ? "" : "; " + hint));
   }
 
   void BeginMaterial() {
     const Token name = words_.RestOfLine();
-    if (name.text.empty()) words_.Fail(keyword_, "the material's name is missing");
+    if (name.text.empty()) Warn(keyword_, "the material has no name; 'usemtl' without a name uses it");
     MtlMaterial& material = materials_.emplace_back();
     material.name = name.text;
     material.place = PlaceOf(name);
@@ -119,7 +141,9 @@ class MtlReader {
   }
 
   double AnyNumber() {
-    if (!ContinuesStatement()) words_.Fail(words_.Last(), Escaped(keyword_.text) + ": a number is missing");
+    if (!ContinuesStatement())
+      words_.Fail(words_.Last(), Escaped(keyword_.text) + ": a number is missing",
+                  HexColorHint(words_.Source(), words_.Last()));
     const Token word = *words_.Next();
     const auto [value, problem] = ParseNumber(word.text);
     if (problem) words_.Fail(word, Escaped(keyword_.text) + " " + problem + ", got " + Quoted(word.text));
@@ -129,11 +153,43 @@ class MtlReader {
   void ReadMap(std::optional<MtlMap>& map) {
     MtlMap read;
     while (ContinuesStatement() && words_.Peek()->text[0] == '-') ReadOption(read, *words_.Next());
-    const Token file = words_.RestOfLine();
-    if (file.text.empty()) words_.Fail(keyword_, Escaped(keyword_.text) + ": the file is missing");
+    const Token file = NameBeforeOptions();
+    if (file.text.empty() || file.text.starts_with("# "))
+      return Warn(keyword_, Quoted(keyword_.text) + " names no file and is ignored");
+    while (ContinuesStatement()) ReadOption(read, *words_.Next());
     read.file = file.text;
     read.place = PlaceOf(file);
     map = std::move(read);
+  }
+
+  /// Reads the rest of the line, or what stands before options that some programs write behind the name.
+  Token NameBeforeOptions() {
+    MeshWords ahead = words_;
+    for (std::size_t words = 1; ahead.HasMoreOnLine(); ++words) {
+      ahead.Next();
+      if (!ahead.HasMoreOnLine() || !BeginsOptions(ahead)) continue;
+      Token name = *words_.Peek();
+      for (std::size_t i = 0; i < words; ++i) words_.Next();
+      const std::string_view last = words_.Last().text;
+      name.text = {name.text.data(), static_cast<std::size_t>(last.data() + last.size() - name.text.data())};
+      return name;
+    }
+    return words_.RestOfLine();
+  }
+
+  /// Returns true if the rest of the line is nothing but options and what belongs to them.
+  static bool BeginsOptions(MeshWords words) {
+    const auto next_is_word = [&] { return words.HasMoreOnLine() && words.Peek()->text[0] != '-'; };
+    const auto next_is_number = [&] { return words.HasMoreOnLine() && !ParseNumber(words.Peek()->text).problem; };
+    while (words.HasMoreOnLine()) {
+      const MapOption* option = OptionNamed(words.Next()->text);
+      if (!option) return false;
+      std::size_t arguments = 0;
+      for (; arguments < option->most && (option->has_words ? next_is_word() : next_is_number()); ++arguments)
+        words.Next();
+      if (arguments < option->least) return false;
+    }
+    return true;
   }
 
   void ReadOption(MtlMap& map, const Token& option) {
@@ -162,15 +218,11 @@ class MtlReader {
     return is_on;
   }
 
-  /// -mm has two numbers, -t up to three, -texres and -boost one; -imfchan, -type and the blends have a word.
   void PassOverOption(const Token& option) {
-    constexpr std::array with_word{"-blendu", "-blendv", "-cc", "-imfchan", "-type", "-colorspace"};
-    constexpr std::array with_numbers{"-mm", "-t", "-texres", "-boost"};
-    const bool has_word = std::ranges::find(with_word, option.text) != with_word.end();
-    if (!has_word && std::ranges::find(with_numbers, option.text) == with_numbers.end())
-      words_.Fail(option, "unknown option " + Quoted(option.text) + " of a texture");
-    if (has_word && ContinuesStatement()) words_.Next();
-    while (!has_word && NextIsNumber()) words_.Next();
+    const MapOption* known = OptionNamed(option.text);
+    if (!known) words_.Fail(option, "unknown option " + Quoted(option.text) + " of a texture");
+    if (known->has_words && ContinuesStatement()) words_.Next();
+    while (!known->has_words && NextIsNumber()) words_.Next();
     // Blending of texels, and their channel where that is the luminance, are what happens anyway.
     if (option.text == "-blendu" || option.text == "-blendv" || option.text == "-imfchan") return;
     Warn(option, Quoted(option.text) + " is not supported and ignored");

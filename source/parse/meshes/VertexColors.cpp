@@ -1,8 +1,9 @@
 #include "source/parse/meshes/VertexColors.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "source/parse/Coordinate.h"
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {
@@ -10,29 +11,38 @@ namespace {
 constexpr float no_color = -1;  // until it is known what white is
 constexpr std::array none{no_color, no_color, no_color};
 constexpr double largest = 255;
+// Rounding and overexposure lead above 1 too. A mesh whose brightest channel is less than this of 255 is all but black.
+constexpr double surely_bytes = 16;
+constexpr double half_a_step = 0.5 / largest;  // of a byte: less above 1 is rounding
+
+bool IsWhole(const std::array<float, 3>& color) {
+  return std::ranges::all_of(color, [](float c) { return c == std::floor(c); });
+}
 
 }  // namespace
 
 void VertexColors::Add(std::size_t place, const std::array<double, 3>& channels, const Token& where) {
-  colors_.resize(place, none);
+  if (place >= colors_.size()) colors_.resize(place + 1, none);
   const bool is_usable = std::ranges::all_of(channels, [](double c) { return c >= 0 && c <= largest; });
   if (!is_usable) {
     absent_.Add(where);
     return;
   }
   greatest_ = std::max(greatest_, *std::ranges::max_element(channels));
-  colors_.push_back(
-      {static_cast<float>(channels[0]), static_cast<float>(channels[1]), static_cast<float>(channels[2])});
+  colors_[place] = {static_cast<float>(channels[0]), static_cast<float>(channels[1]), static_cast<float>(channels[2])};
 }
 
 std::vector<std::array<float, 3>> VertexColors::Take(std::size_t vertices) {
   if (colors_.empty()) return {};
   colors_.resize(vertices, none);
+  were_bytes_ = greatest_ > 1 && (greatest_ >= surely_bytes || std::ranges::all_of(colors_, IsWhole));
   for (auto& color : colors_) {
     if (color == none)
       color = {1, 1, 1};
-    else if (WereBytes())
+    else if (were_bytes_)
       for (float& channel : color) channel /= 255;
+    else if (greatest_ > 1)
+      for (float& channel : color) channel = std::min(channel, 1.0f);
   }
   return std::move(colors_);
 }
@@ -40,6 +50,8 @@ std::vector<std::array<float, 3>> VertexColors::Take(std::size_t vertices) {
 void VertexColors::Warn(const Text& file, Report& report) const {
   absent_.Warn(file, report, "color of a vertex is not finite or negative and counts as white",
                "colors of vertices are not finite or negative and count as white");
+  if (!were_bytes_ && greatest_ > 1 + half_a_step)
+    report.Warn(Escaped(file.name), "colors of vertices go up to " + ToText(greatest_) + "; above 1 they count as 1");
 }
 
 }  // namespace ray

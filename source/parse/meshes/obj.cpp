@@ -10,6 +10,7 @@
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/MeshWords.h"
 #include "source/parse/meshes/VertexColors.h"
+#include "source/text/LookAlike.h"
 #include "source/text/Number.h"
 
 namespace ray {
@@ -96,8 +97,8 @@ class ObjReader {
                   "not one line defines a vertex in OBJ; unknown statement " + Quoted(unknown_.First().text));
     CheckMissing(missing_uvs_, uvs_.size(), "texture vertex");
     CheckMissing(missing_normals_, normals_.size(), "normal");
-    Warn(report);
     mesh_.colors = colors_.Take(mesh_.positions.size());
+    Warn(report);
     read_.has_8_bit_colors = colors_.WereBytes();
     MakeVertices(mesh_, corners_, faces_.Added(), uvs_, normals_);
     faces_.AddVertices();
@@ -209,16 +210,13 @@ class ObjReader {
     if (const char* problem = faces_.Add(places_, names_, command)) words_.Fail(command, problem);
   }
 
+  /// Programs write an empty name for a material whose name is empty.
   void ReadMaterial() {
     const Token name = words_.RestOfLine();
-    std::uint32_t material = MeshFile::no_material;
-    if (!name.text.empty()) {
-      const auto number = static_cast<std::uint32_t>(read_.materials.size());
-      const auto [known, is_new] = numbers_of_materials_.try_emplace(std::string(name.text), number);
-      if (is_new) read_.materials.push_back(NameAt(name));
-      material = known->second;
-    }
-    BeginRun(read_.material_runs, material);
+    const auto number = static_cast<std::uint32_t>(read_.materials.size());
+    const auto [known, is_new] = numbers_of_materials_.try_emplace(std::string(name.text), number);
+    if (is_new) read_.materials.push_back(NameAt(name));
+    BeginRun(read_.material_runs, known->second);
   }
 
   void ReadLibraries() {
@@ -319,7 +317,8 @@ class ObjReader {
     colors_.Warn(file, report);
     lines_.Warn(file, report, "statement of lines or points skipped", "statements of lines or points skipped");
     curves_.Warn(file, report, "statement of curves or surfaces skipped", "statements of curves or surfaces skipped");
-    unknown_.Warn(file, report, "unknown statement skipped", "unknown statements skipped");
+    const std::string hint = LookAlikeHint(unknown_.First().text), more = hint.empty() ? "" : "; " + hint;
+    unknown_.Warn(file, report, "unknown statement skipped" + more, "unknown statements skipped" + more);
   }
 
   bool ContinuesStatement() { return words_.Peek() && !words_.Peek()->starts_line; }

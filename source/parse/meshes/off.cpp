@@ -82,8 +82,8 @@ class OffReader {
       if (error.hint.empty()) error.hint = HintOfVertices();
       throw;
     }
-    Warn();
     mesh_.colors = colors_.Take(mesh_.positions.size());
+    Warn();
     faces.AddVertices();
     return {.data = std::move(mesh_), .has_8_bit_colors = colors_.WereBytes()};
   }

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "source/parse/Coordinate.h"
@@ -15,6 +18,7 @@ namespace ray {
 namespace {
 
 constexpr const char* texcoord = "texcoord";
+constexpr std::array<double, 3> unusable_color{-1, -1, -1};  // any with a channel that is negative or NaN
 
 /// The vertices, faces and triangle strips of a file of any scalar types; all other elements and properties are passed
 /// over.
@@ -72,7 +76,7 @@ class PlyReader {
                            "faces have ignored numbers behind those that the header declares");
     WarnOfAbsent(absent_normals_, absent_uvs_, file, report);
     colors_.Warn(file, report);
-    if (has_face_colors_)
+    if (ignores_face_colors_)
       report.Warn(Escaped(file.name), "the colors of faces are ignored; those of vertices are used");
   }
 
@@ -106,18 +110,19 @@ class PlyReader {
       mesh_.positions.push_back({n[(*places)[0]], n[(*places)[1]], n[(*places)[2]]});
       if (normals) AddNormal({n[(*normals)[0]], n[(*normals)[1]], n[(*normals)[2]]}, row.unusable);
       if (uvs) mesh_.uvs.push_back(Usable({n[(*uvs)[0]], n[(*uvs)[1]]}, row.unusable));
-      if (colors) AddColor(i, element, *colors, row);
+      if (colors) colors_.Add(i, ColorOf(element, *colors, row), row.unusable);
     }
   }
 
   static std::optional<std::array<std::size_t, 3>> FindColors(const PlyElement& element) {
-    const auto colors = FindAll<3>(element, {"red", "green", "blue"});
-    return colors ? colors : FindAll<3>(element, {"diffuse_red", "diffuse_green", "diffuse_blue"});
+    auto colors = FindAll<3>(element, {"red", "green", "blue"});
+    if (!colors) colors = FindAll<3>(element, {"diffuse_red", "diffuse_green", "diffuse_blue"});
+    return colors ? colors : FindAll<3>(element, {"r", "g", "b"});
   }
 
   /// Whole numbers are shares of the greatest of their type.
-  void AddColor(std::size_t i, const PlyElement& element, const std::array<std::size_t, 3>& columns,
-                const PlyRow& row) {
+  std::array<double, 3> ColorOf(const PlyElement& element, const std::array<std::size_t, 3>& columns,
+                                const PlyRow& row) {
     std::array<double, 3> channels{};
     for (std::size_t k = 0; k < 3; ++k) {
       const PlyType type = element.properties[columns[k]].type;
@@ -125,7 +130,7 @@ class PlyReader {
       channels[k] = row.numbers[columns[k]] / greatest;
       has_8_bit_colors_ = has_8_bit_colors_ || type == PlyType::uint8;
     }
-    colors_.Add(i, channels, row.unusable);
+    return channels;
   }
 
   void AddNormal(const R3::Vector& n, const Token& unusable) {
@@ -142,7 +147,10 @@ class PlyReader {
 
   void ReadFaces(const PlyElement& element) {
     const PlyColumns columns{.corners = FindIndices(element), .uvs = element.Find(texcoord, true)};
-    has_face_colors_ = FindColors(element).has_value();
+    const auto colors = FindColors(element);
+    const bool shows_colors = colors && colors_.IsEmpty();
+    ignores_face_colors_ = colors && !shows_colors;
+    const std::size_t vertices = mesh_.positions.size();
     PlyRow row;
     std::vector<std::uint32_t> corners;
     faces_.Reserve(element.count, rows_.Values().BytesLeft());
@@ -150,10 +158,35 @@ class PlyReader {
       const PlyPlace place{element.name, i};
       rows_.Read(element, i, columns, row);
       corners.clear();
-      for (const double value : row.corners) corners.push_back(IndexOf(value, place));
+      for (const double value : row.corners) corners.push_back(IndexOf(value, vertices, place));
+      if (shows_colors) Paint(corners, ColorOf(element, *colors, row), row.unusable);
       if (corners.size() < 3 && rows_.IsIrregular()) rows_.Values().Fail(place, "has fewer than 3 corners");
       AddFace(corners, row.uvs, place);
     }
+  }
+
+  /// Gives the corners a color, which makes a copy of each vertex that has another color already.
+  void Paint(std::vector<std::uint32_t>& corners, const std::array<double, 3>& color, const Token& where) {
+    const bool is_usable = std::ranges::all_of(color, [](double c) { return c >= 0; });
+    const auto next = static_cast<std::uint32_t>(numbers_of_colors_.size());
+    const auto [known, is_new] = numbers_of_colors_.try_emplace(is_usable ? color : unusable_color, next);
+    for (std::uint32_t& corner : corners) {
+      const std::uint64_t vertex_and_color = std::uint64_t{corner} << 32 | known->second;
+      const auto copy = static_cast<std::uint32_t>(mesh_.positions.size());
+      const auto [painted, is_first] = painted_.try_emplace(vertex_and_color, copy);
+      if (is_first && is_painted_.insert(corner).second)
+        painted->second = corner;
+      else if (is_first)
+        CopyVertex(corner);
+      if (is_first) colors_.Add(painted->second, color, where);
+      corner = painted->second;
+    }
+  }
+
+  void CopyVertex(std::uint32_t vertex) {
+    mesh_.positions.push_back(R3::Point(mesh_.positions[vertex]));
+    if (!mesh_.normals.empty()) mesh_.normals.push_back(R3::Normal(mesh_.normals[vertex]));
+    if (!mesh_.uvs.empty()) mesh_.uvs.push_back(R2::Point(mesh_.uvs[vertex]));
   }
 
   /// Every three neighbors of a strip are a triangle, every second one turned over; -1 begins another strip.
@@ -169,7 +202,7 @@ class PlyReader {
           length = 0;
           continue;
         }
-        last = {last[1], last[2], IndexOf(value, {element.name, i})};
+        last = {last[1], last[2], IndexOf(value, mesh_.positions.size(), {element.name, i})};
         if (++length >= 3) AddOfStrip(last, length % 2 == 0, {element.name, i});
       }
     }
@@ -236,8 +269,7 @@ class PlyReader {
     for (std::size_t i = 0; i < element.count; ++i) rows_.Read(element, i, {}, row);
   }
 
-  std::uint32_t IndexOf(double value, const PlyPlace& place) {
-    const std::size_t known = mesh_.positions.size();
+  std::uint32_t IndexOf(double value, std::size_t known, const PlyPlace& place) {
     if (!(value >= 0 && value < static_cast<double>(known) && value == std::floor(value)))
       rows_.Values().Fail(place, "a corner must be an index below " + std::to_string(known) + ", got " + ToText(value));
     return static_cast<std::uint32_t>(value);
@@ -268,7 +300,11 @@ class PlyReader {
   Faces faces_{mesh_};
   Tally absent_normals_, absent_uvs_;
   VertexColors colors_;
-  bool has_8_bit_colors_ = false, has_face_colors_ = false;
+  bool has_8_bit_colors_ = false, ignores_face_colors_ = false;
+  // Of faces that have colors where vertices have none:
+  std::map<std::array<double, 3>, std::uint32_t> numbers_of_colors_;
+  std::unordered_map<std::uint64_t, std::uint32_t> painted_;  // from a vertex and the number of a color
+  std::unordered_set<std::uint32_t> is_painted_;
   // Where faces have texture coordinates of their own, triangles are first made of corners.
   bool has_texcoords_ = false;
   std::vector<Corner> corners_;

@@ -305,5 +305,14 @@ TEST(SceneHash, GoesOverAllFilesAndEveryByte) {
   EXPECT_NE(SceneHash(std::vector{folder / "long"}), before);
 }
 
+TEST(Check, ColorsOfBytesArePointedOut) {
+  const auto mistakes = [](const std::string& kd) {
+    return Example(camera + "material 0 0 0  " + kd + "  0 0 0  0 0 0  0 0 0  10 1 0\nsphere 0  0 0 0  1\n").Mistakes();
+  };
+  EXPECT_TRUE(Has(mistakes("255 128 0"), ":3:1: warning: this shape reflects more than 16 times the light"));
+  EXPECT_TRUE(Has(mistakes("0 0 40"), "kd is from 0 to 1, not from 0 to 255"));
+  EXPECT_EQ(mistakes("1.5 1 1"), "");
+}
+
 }  // namespace
 }  // namespace ray
