@@ -28,7 +28,30 @@ std::optional<std::string> CanonicalFolder(const fs::path& folder) {
   return canonical.string();
 }
 
-constexpr std::string_view one_up = "../";
+/// The path as this system writes it: Windows has backslashes.
+std::string WithSlashes(std::string path) {
+  std::ranges::replace(path, '\\', '/');
+  return path;
+}
+
+bool IsUpward(std::string_view path) { return path.starts_with("../"); }
+
+/// Returns true for the path of another folder or computer: "../x.png", "/home/me/x.png", "C:/x.png".
+bool IsForeign(std::string_view path) {
+  const bool has_drive = path.substr(0, 3).ends_with(":/") && LowerCase(path[0]) >= 'a' && LowerCase(path[0]) <= 'z';
+  return IsUpward(path) || path.starts_with('/') || path.starts_with("~/") || has_drive;
+}
+
+/// Returns the places, relative to the folder of the file that names it, in which to look for a file of a foreign path.
+std::vector<std::string> PlacesOf(const std::string& foreign) {
+  std::string_view below = foreign;
+  while (IsUpward(below)) below.remove_prefix(3);
+  const std::string file = fs::path(foreign).filename().string();
+  std::vector<std::string> places;
+  if (IsUpward(foreign)) places.push_back(std::string(below));
+  for (const char* folder : {"", "textures/", "../", "../textures/"}) places.push_back(folder + file);
+  return places;
+}
 
 /// A hint, or none.
 std::string Meaning(const std::string& file) { return file.empty() ? "" : "did you mean " + Quoted(file) + "?"; }
@@ -69,25 +92,41 @@ FoundFile Files::Find(const std::string& name, const std::string& named_in) cons
 }
 
 FoundFile Files::FindIn(std::span<const std::string> folders, const std::string& name) const {
+  std::optional<FileError> denied;
   for (const std::string& folder : folders)
-    if (auto found = FindAt(folder, name)) return *found;
-  if (name.starts_with(one_up)) {
-    const std::string below = name.substr(one_up.size());
-    for (const std::string& folder : folders)
-      if (auto found = FindAt(folder, below)) {
-        remarks_.insert(Quoted(name) + " is not there; " + Quoted(found->shown) + " is read");
-        return *found;
-      }
-  }
-  throw FileError{"no such file: " + Quoted(name), Meaning(SimilarIn(folders, name))};
+    if (auto found = FindAt(folder, name, denied)) return *found;
+  if (auto found = FindElsewhere(folders, name)) return *found;
+  if (denied) throw *denied;
+  const std::string similar = SimilarIn(folders, name);
+  throw FileError{"no such file: " + Quoted(name), Meaning(similar), similar};
 }
 
-std::optional<FoundFile> Files::FindAt(const std::string& folder, const std::string& name) const {
+std::optional<FoundFile> Files::FindElsewhere(std::span<const std::string> folders, const std::string& name) const {
+  const std::string path = WithSlashes(name);
+  if (!IsForeign(path) || fs::path(path).filename().empty()) return {};
+  std::optional<FileError> refusal;
+  for (const std::string& folder : folders)
+    for (const std::string& place : PlacesOf(path)) try {
+        const auto found = FindAt(folder, place, refusal);
+        if (!found) continue;
+        remarks_.insert(Quoted(name) + " is not there; " + Quoted(found->shown) + " is read");
+        return found;
+      } catch (const FileError& error) {
+        refusal = error;
+      }
+  if (refusal) throw *refusal;
+  return {};
+}
+
+std::optional<FoundFile> Files::FindAt(const std::string& folder, const std::string& name,
+                                       std::optional<FileError>& denied) const {
   const fs::path candidate = fs::path(folder) / name;  // the name alone where that is absolute
   std::error_code error;
   const fs::path canonical = fs::canonical(candidate, error);
   if (error == std::errc::no_such_file_or_directory) return {};
-  if (error) throw FileError{"cannot open " + Quoted(name) + ": " + error.message(), {}};
+  const FileError problem{"cannot open " + Quoted(name) + ": " + error.message(), {}};
+  if (error == std::errc::permission_denied) return denied = problem, std::nullopt;
+  if (error) throw problem;
   if (!IsAllowed(canonical.string())) {
     const std::string outside = Escaped(canonical.parent_path().string());
     throw FileError{Quoted(name) + " is outside the scene's folder and the current folder",

@@ -11,6 +11,7 @@ namespace ray {
 /// Why a file named by a scene cannot be read, in words; the reader adds the place that names it.
 struct FileError {
   std::string message, hint;
+  std::string similar{};  // the name of an existing file that resembles the missing one; may be empty
 };
 
 /// A file that exists and may be read.
@@ -39,19 +40,23 @@ class Files {
   bool IsStandardInput() const { return top_ == standard_input_name; }
   /// The top scene; throws FileError.
   FoundFile Top() const;
-  /// Looks in the folder of the file that names it, then in the current folder; for a name that begins with "../", and
-  /// is not there, also without that. Throws FileError, with the file that was probably meant where there is none of
-  /// that name.
+  /// Looks in the folder of the file that names it, then in the current folder. A file whose path is that of another
+  /// folder or computer, such as "../x.png", "/home/me/x.png" or "C:\x.png", and which is not there, is looked for by
+  /// its name in each of these folders, in their textures/, and in the same two places above them. Throws FileError,
+  /// with the name of a similar file if there is one.
   FoundFile Find(const std::string& name, const std::string& named_in) const;
   /// Looks in these folders, the first first; "" is the current one. Throws FileError.
   FoundFile FindIn(std::span<const std::string> folders, const std::string& name) const;
-  /// What was found below a folder though it was said to be above it, in words; each once.
+  /// Warnings about the files that were not where their paths say but found elsewhere; one for each path.
   const std::set<std::string>& Remarks() const { return remarks_; }
   /// The whole file. Throws FileError, also when a link or another kind of file has taken its place since Find.
   std::string Read(const FoundFile& file) const;
 
  private:
-  std::optional<FoundFile> FindAt(const std::string& folder, const std::string& name) const;
+  /// Throws FileError, but returns one in `denied` if the system does not let us look there.
+  std::optional<FoundFile> FindAt(const std::string& folder, const std::string& name,
+                                  std::optional<FileError>& denied) const;
+  std::optional<FoundFile> FindElsewhere(std::span<const std::string> folders, const std::string& name) const;
   bool IsAllowed(const std::string& canonical) const;
   std::string SimilarIn(std::span<const std::string> folders, const std::string& name) const;
 

@@ -28,6 +28,10 @@ void DocumentReport::WarnOnce(const std::string& subject, const Extent& extent, 
   if (warned_.insert(subject).second) Warn(extent, message);
 }
 
+std::string DocumentReport::HexColorBehind(const Entry& entry) const {
+  return entry.value.kind == Value::Kind::null ? HexColorHint(document_.Source(), At(entry.key_extent)) : "";
+}
+
 std::string DocumentReport::PathOf(const Value& value) const {
   const std::string path = document_.PathOf(value);
   return path.empty() ? "the scene" : path;

@@ -28,6 +28,8 @@ class DocumentReport {
 
   /// How many mistakes so far: who reads something knows by it whether all went well.
   std::size_t Errors() const { return errors_; }
+  /// Returns HexColorHint for a key without a value.
+  std::string HexColorBehind(const Entry& entry) const;
   std::string PathOf(const Value& value) const;
   /// "scene.yaml:12"
   std::string PlaceOf(const Extent& extent) const;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "source/parse/Coordinate.h"
+#include "source/text/LookAlike.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Number.h"
 #include "source/text/NumberText.h"
@@ -263,15 +264,24 @@ void Mapping::Finish() {
       unknown.erase(meant);
       continue;
     }
-    const std::string others = names.size() > 1 ? "the key is " + Listed(names) : "";
-    report_->Error(*value_, "lacks " + std::string(names.front()), others);
+    std::string hint = names.size() > 1 ? "the key is " + Listed(names) : "";
+    for (const std::string_view name : names)
+      if (const Entry* entry = EntryOf(name))
+        if (std::string color = report_->HexColorBehind(*entry); !color.empty()) hint = std::move(color);
+    report_->Error(*value_, "lacks " + std::string(names.front()), hint);
   }
   missing_.clear();
+  if (report_->Errors() == errors_before_)
+    for (const Entry& entry : value_->Entries())
+      if (const std::string color = report_->HexColorBehind(entry); !color.empty())
+        report_->Warn(entry.key_extent, Quoted(entry.key) + " has no value: " + color);
   for (const Entry* entry : unknown) {
     const std::vector<std::string> choices(known_.begin(), known_.end());
+    const std::string look_alike = LookAlikeHint(entry->key);
     report_->WarnOnce(what_ + " " + entry->key, entry->key_extent,
                       "unknown key " + Quoted(entry->key) + " in " + what_ + " is ignored" +
-                          DidYouMean(entry->key.substr(0, most_quoted), choices));
+                          (look_alike.empty() ? DidYouMean(entry->key.substr(0, most_quoted), choices)
+                                              : "; " + look_alike));
   }
 }
 

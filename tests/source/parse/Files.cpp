@@ -82,6 +82,48 @@ TEST(Files, UpwardPathsFallBackToTheScenesFolder) {
       Contains(ErrorOf([&] { files.Find("../textures/a.off", (folder / "sub/scene.scn").string()); }), "is outside"));
 }
 
+// Scenes that were written on another computer.
+TEST(Files, PathsOfAnotherComputerAreLookedForByTheirNames) {
+  const Folder folder;
+  folder.Write("sub/textures/a.png", "in textures");
+  const std::string scene = (folder / "sub/scene.scn").string();
+  for (const char* name : {"/home/nobody here/x/a.png", "C:\\Users\\me\\a.png", "D:/work/a.png",
+                           "\\\\server\\share\\a.png", "~/a.png", "..\\..\\images\\a.png", "../../images/a.png"}) {
+    const Files files(scene, {folder.Path().string()});
+    EXPECT_EQ(ReadNamed(files, name, scene), "in textures") << name;
+    EXPECT_EQ(ReadNamed(files, name, scene), "in textures");
+    ASSERT_EQ(files.Remarks().size(), 1u) << name;
+    EXPECT_TRUE(Contains(*files.Remarks().begin(), " is not there; ")) << *files.Remarks().begin();
+  }
+  const auto read = [&] { return ReadNamed(Files(scene, {folder.Path().string()}), "/nowhere/a.png", scene); };
+  folder.Write("sub/a.png", "beside");
+  EXPECT_EQ(read(), "beside");
+  std::filesystem::remove_all(folder / "sub/textures");
+  std::filesystem::remove(folder / "sub/a.png");
+  folder.Write("textures/a.png", "in textures above");
+  EXPECT_EQ(read(), "in textures above");
+  folder.Write("a.png", "above");
+  EXPECT_EQ(read(), "above");
+}
+
+TEST(Files, NamesThatAreNotOfAnotherComputerAreNotLookedForElsewhere) {
+  const Folder folder;
+  folder.Write("textures/a.png", "x");
+  const Files files(folder / "scene.scn", {});
+  const std::string scene = (folder / "scene.scn").string();
+  for (const char* name : {"a.png", "images/a.png", "/nowhere/", "C:a.png", "/nowhere/b.png", "file:///a.png"})
+    EXPECT_TRUE(Contains(ErrorOf([&] { files.Find(name, scene); }), "no such file")) << name;
+}
+
+TEST(Files, OfAnotherComputerAreNotReadFromOutsideEither) {
+  const Folder folder;
+  folder.Write("textures/a.png", "x");
+  folder.Write("sub/scene.scn", "");
+  const Files files(folder / "sub/scene.scn", {});
+  const std::string error = ErrorOf([&] { files.Find("/nowhere/a.png", (folder / "sub/scene.scn").string()); });
+  EXPECT_TRUE(Contains(error, "-allow_path " + (folder / "textures").string())) << error;
+}
+
 TEST(Files, ABareSceneNameMeansTheCurrentFolder) {
   const Folder folder;
   folder.Write("a.off", "x");

@@ -6,6 +6,7 @@
 #include "R1/Elementary.h"
 #include "source/parse/courses/groningen/GroningenReader.h"
 #include "source/parse/courses/objects/Projection.h"
+#include "source/text/LowerCase.h"
 #include "source/text/NumberText.h"
 
 namespace ray {
@@ -24,6 +25,15 @@ R3::Vector WayToCenter(Mapping& camera, const R3::Point& eye) {
   const R3::Vector way = direction->Vector().value_or(R3::Vector{0, 0, -1});
   if (way == R3::Vector{}) direction->Error("must not be 0 0 0: it is a direction");
   return usual_distance * Unit(way);
+}
+
+/// A factor, or whether there is one, as students' programs have it: true is that of the course's examples.
+std::int64_t FactorOf(const Field& field) {
+  constexpr std::int64_t usual = 2;
+  const std::string word = LowerCase(field.What().scalar);
+  if (word == "true" || word == "yes" || word == "on") return usual;
+  if (word == "false" || word == "no" || word == "off") return 1;
+  return field.Whole(1, most).value_or(1);
 }
 
 }  // namespace
@@ -135,7 +145,7 @@ void GroningenReader::ReadSamples(Mapping& scene) {
       sampling.Ignore({"comment"});
       sampling.Finish();
     } else {
-      factor = field->Whole(1, most).value_or(1);
+      factor = FactorOf(*field);
     }
   }
   const auto side = static_cast<double>(factor);

@@ -128,6 +128,10 @@ TEST(Groningen, EverySpellingOfSuperSamplingIsTaken) {
   for (const char* keys :
        {"'SuperSampling': {'factor': 3}", "'SuperSampling': 3", "'SuperSamplingFactor': 3", "'AntiAliasing': 3"})
     EXPECT_EQ(SettingOf(WithKeys(keys).scene, "samples"), "9") << keys;
+  for (const char* word : {"true", "'yes'", "'On'"})
+    EXPECT_EQ(SettingOf(WithKeys(std::string("'AntiAliasing': ") + word).scene, "samples"), "4") << word;
+  EXPECT_EQ(SettingOf(WithKeys("'AntiAliasing': false").scene, "samples"), "1");
+  EXPECT_EQ(SettingOf(WithKeys("'AntiAliasing': 1").scene, "samples"), "1") << "a number is a factor";
   EXPECT_EQ(SettingOf(WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'jitter'}").scene, "sampler"), "stratified");
   EXPECT_EQ(SettingOf(WithKeys("'SuperSampling': {'factor': 2, 'pattern': 'rotated'}").scene, "sampler"),
             "rotated_grid");
@@ -616,6 +620,29 @@ TEST(Groningen, BothFormsOfASceneAreTheSame) {
   ASSERT_EQ(a.scene.settings.size(), b.scene.settings.size());
   for (std::size_t i = 0; i < a.scene.settings.size(); ++i)
     EXPECT_EQ(a.scene.settings[i].value, b.scene.settings[i].value) << a.scene.settings[i].option;
+}
+
+TEST(Groningen, ColorsOfWebPagesAreNamedAsTheCommentsThatTheyAre) {
+  const std::string scene =
+      "Eye: [0, 0, 9]\nObjects:\n- type: sphere\n  position: [0, 0, 0]\n  radius: 1\n"
+      "  material:\n    kd: 1\n    color: ";
+  const std::string hint = "a # begins a comment; a color is three numbers from 0 to 1: 1 0 0";
+  const Folder folder;
+  folder.Write("a.yaml", scene + "#ff0000\n");
+  const std::string report = ReportOf(folder, "a.yaml");
+  EXPECT_TRUE(Contains(report, "lacks color") && Contains(report, hint)) << report;
+  folder.Write("a.yaml", "Background: #f00\n" + scene + "[0, 0, 1]\n");
+  const auto warnings = Parse(folder / "a.yaml", {}).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(Contains(warnings[0], "a.yaml:1:1: warning: 'Background' has no value: " + hint)) << warnings[0];
+}
+
+TEST(Groningen, CharactersThatLookRightAreNamed) {
+  const Folder folder;
+  folder.Write("a.yaml", "Eye: [0, 0, \u22129]\nObjects: []\n");
+  EXPECT_TRUE(Contains(ReportOf(folder, "a.yaml"), "it has U+2212, a minus sign: type '-9'"));
+  folder.Write("a.json", "{\u201CEye\u201D: [0, 0, 9], \"Objects\": []}");
+  EXPECT_TRUE(Contains(ReportOf(folder, "a.json"), "U+201C, a curly quotation mark")) << ReportOf(folder, "a.json");
 }
 #endif
 
