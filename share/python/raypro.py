@@ -11,10 +11,11 @@ A scene is the name of a file, or a text with a line break in it, whose mistakes
 Options are those of raypro, by name (raypro -help and docs/options.md have units, ranges and defaults), as values:
     width=512, mode="path"        -width 512 -mode path
     denoise=True, denoise=False   -denoise, and nothing: what the scene or raypro itself says
-    shadows=False                 -shadows off, for those that take on or off
+    shadows=False                 -shadows off, for those that take on or off; 0, 1 and numpy's booleans mean the same
     eye=(0, 1, 5)                 -eye 0 1 5
     layers=["depth", "normal"]    -layers depth,normal
     define={"t": 0.5}             -define t=0.5, for each name
+    report="run.json"             a copy of image.report in a file
     seed=None                     nothing
 raypro itself refuses what it does not know, as SceneError.
 
@@ -41,6 +42,16 @@ except ImportError:
     numpy = None
 
 __all__ = ["Image", "SceneError", "debugpixel", "diff", "render", "tell"]
+
+
+def __getattr__(name):
+    """raypro.__version__ is the version of the program that is found."""
+    if name != "__version__":
+        raise AttributeError(f"module 'raypro' has no attribute {name!r}")
+    try:
+        return _run("raypro", ["-version"])[0].split()[1]
+    except FileNotFoundError as error:
+        raise AttributeError(str(error)) from error
 
 
 class SceneError(Exception):
@@ -107,7 +118,7 @@ class Image:
         with tempfile.TemporaryDirectory(prefix="raypro-") as folder:
             source = _in_folder(folder, "picture.pfm", self._pfm)
             encoding = {"srgb": self.report.get("settings", {}).get("srgb")}
-            _run("rayimg", ["convert", source, os.fspath(name), *_words(encoding)])
+            _run("rayimg", ["convert", source, _file(name), *_words(encoding)])
 
     def _repr_png_(self):
         if self._png is None:
@@ -131,8 +142,11 @@ def render(scene, *, progress=None, folder=None, **options):
     if progress is None or progress is True:
         progress = _ProgressLine() if progress or _is_watched() else None
     of_png = {name: options.pop(name) for name in ("bits", "bytes") if name in options}
+    wanted = options.pop("report", None)
     with tempfile.TemporaryDirectory(prefix="raypro-") as place:
         picture, report = os.path.join(place, "picture.pfm"), os.path.join(place, "report.json")
+        if wanted is not None:
+            report = os.path.abspath(os.path.join(folder or "", os.fspath(wanted)))
         summary, said = _run_scene(scene, [picture, "-report", report], options, folder, progress)
         if not os.path.exists(picture):
             raise ValueError("these options render no picture; raypro.tell(scene, ...) returns what raypro prints")
@@ -178,7 +192,7 @@ def diff(picture, reference, **options):
     """
     with tempfile.TemporaryDirectory(prefix="raypro-") as folder:
         names = [
-            _in_folder(folder, name, image._pfm) if isinstance(image, Image) else os.fspath(image)
+            _in_folder(folder, name, image._pfm) if isinstance(image, Image) else _file(image)
             for name, image in (("picture.pfm", picture), ("reference.pfm", reference))
         ]
         beyond_a_limit = 1
@@ -198,10 +212,11 @@ def main():
 
 @functools.lru_cache(maxsize=None)
 def _switches(program):
-    """The options of raypro that take on or off, from its help."""
+    """The options of raypro that take on or off, and those that take nothing, from its help."""
     text = subprocess.run([program, "-help"], stdout=subprocess.PIPE, text=True, check=True).stdout
     blocks = re.split(r"^  -", text, flags=re.MULTILINE)[1:]
-    return {block.split()[0] for block in blocks if re.search(r"\bon or off;", block)}
+    on_or_off = {block.split()[0] for block in blocks if re.search(r"\bon or off;", block)}
+    return on_or_off, {block.split()[0] for block in blocks if re.match(r"\w+(  |$)", block, flags=re.MULTILINE)}
 
 
 def _words(options):
@@ -210,16 +225,22 @@ def _words(options):
 
 def _words_of(name, value):
     option = "-" + name
+    if getattr(value, "shape", None) == () and (hasattr(value, "__iter__") or "bool" in type(value).__name__):
+        value = value.item()  # numpy's booleans, and arrays that are one value
     if value is None:
         return []
-    if isinstance(value, bool):
-        if name in _switches(_find("raypro")):
+    if isinstance(value, (bool, int)) and value in (0, 1):
+        on_or_off, alone = _switches(_find("raypro"))
+        if name in on_or_off:
             return [option, "on" if value else "off"]
-        return [option] if value else []
+        if name in alone or isinstance(value, bool):
+            return [option] if value else []
     if isinstance(value, dict):
         return [word for key, of_key in value.items() for word in (option, f"{key}={of_key}")]
     if isinstance(value, (str, os.PathLike)) or not hasattr(value, "__iter__"):
-        return [option, str(value)]
+        text = str(value)
+        may_look_like_an_option = isinstance(value, (str, os.PathLike)) and text.startswith("-")
+        return [f"{option}={text}"] if may_look_like_an_option else [option, text]
     values = list(value)
     if name in ("define", "allow_path"):
         return [word for each in values for word in (option, str(each))]
@@ -246,9 +267,17 @@ def _find(program):
     raise FileNotFoundError(f"{lack}; {advice}")
 
 
+def _file(name):
+    """A name that raypro does not take for an option, or for its standard input."""
+    name = os.fsdecode(name)
+    return os.path.join(".", name) if name.startswith("-") else name
+
+
 def _run_scene(scene, words, options, folder=None, progress=None):
     is_text = isinstance(scene, str) and "\n" in scene
-    name = "-" if is_text else os.fspath(scene)
+    if isinstance(scene, str) and not scene.strip():
+        raise ValueError("the scene is empty; it is the name of a file, or a text with a line break in it")
+    name = "-" if is_text else _file(scene)
     return _run("raypro", [name, *words, *_words(options)], scene if is_text else "", folder, progress)
 
 

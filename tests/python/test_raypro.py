@@ -3,6 +3,7 @@
 import contextlib
 import glob
 import io
+import json
 import math
 import os
 import pathlib
@@ -141,6 +142,46 @@ class Options(Folder):
         self.assertEqual((found["motion"], found["roulette"], found["seed"]), ([0.5, 0, -1], "on", 0))
         self.assertEqual(self.settings(allow_path=[ROOT, "/"])["allow_path"], [str(ROOT), "/"])
 
+    def test_zero_and_one_are_off_and_on_where_no_number_is_meant(self):
+        found = self.settings(shadows=0, fresnel=1, glossy=0, samples=1, max_depth=0)
+        self.assertEqual((found["shadows"], found["fresnel"], found["glossy"]), (False, True, False))
+        self.assertEqual((found["samples"], found["max_depth"]), (1, 0))
+        self.assertIn("primitives    1\n", raypro.tell(BALL, check=1))
+
+    @unittest.skipUnless(raypro.numpy, "numpy is not installed")
+    def test_numpys_values_are_those_of_python(self):
+        numpy = raypro.numpy
+        found = self.settings(
+            shadows=numpy.bool_(False), fresnel=numpy.bool_(True), denoise=numpy.bool_(False), srgb=numpy.array(True),
+            samples=numpy.array(4), seed=numpy.int64(1), motion=numpy.array([0.5, 0, -1]), max_depth=numpy.uint8(2),
+        )  # fmt: skip
+        switches = [found[name] for name in ("shadows", "fresnel", "denoise", "srgb")]
+        self.assertEqual(switches, [False, True, False, True])
+        self.assertEqual([found[name] for name in ("samples", "seed", "max_depth")], [4, 1, 2])
+        self.assertEqual(found["motion"], [0.5, 0, -1])
+
+    def test_names_may_begin_with_a_dash(self):
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder)
+        pathlib.Path("-ball.scn").write_text(BALL)
+        image = raypro.render("-ball.scn", **SIZE)
+        self.assertEqual(raypro.diff(image, raypro.render(BALL, **SIZE))["rmse"], 0)
+        image.save("-out.pfm")
+        self.assertEqual(raypro.diff("-out.pfm", image, map="-map.png")["rmse"], 0)
+        self.assertTrue(os.path.exists("-map.png"))
+
+    def test_a_report_is_written_where_it_is_wanted(self):
+        image = raypro.render(BALL, folder=self.folder, report="-run.json", **SIZE)
+        self.assertEqual(json.loads(pathlib.Path(self.folder, "-run.json").read_text()), image.report)
+        self.assertEqual(self.left(), [])
+
+    def test_the_version_is_that_of_the_program(self):
+        self.assertTrue(raypro._run("raypro", ["-version"])[0].startswith(f"raypro {raypro.__version__}"))
+        with mock.patch.dict(os.environ, RAYPRO="/nowhere/raypro"):
+            self.assertFalse(hasattr(raypro, "__version__"))
+        self.assertFalse(hasattr(raypro, "no_such_name"))
+
     def test_what_is_defined_stands_in_the_scene(self):
         moving = BALL.replace("0 0.5 0", "$x $y 0")
         there = raypro.render(moving, define={"x": 0, "y": 0.5}, **SIZE)
@@ -173,6 +214,11 @@ class Mistakes(Folder):
         self.assertRegex(text.splitlines()[2], r"^ +\| \^~~~~ did you mean 'sphere'\?$")
         status, text = self.refused("no such scene.scn")
         self.assertEqual((status, text), (3, "no such scene.scn: error: no such file"))
+
+    def test_an_empty_scene_is_named_as_such(self):
+        for empty in ("", " ", "\n"):
+            with self.assertRaisesRegex(ValueError, "the scene is empty"):
+                raypro.render(empty)
 
     def test_with_progress_the_words_are_those_without(self):
         wrong = BALL + "spere -1 0 0 0 1\n"
