@@ -12,6 +12,8 @@
 #include "source/app/report/Messages.h"
 #include "source/parse/SceneError.h"
 #include "source/render/Threads.h"
+#include "source/text/LookAlike.h"
+#include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
 namespace ray {
@@ -47,6 +49,16 @@ void LimitThreads(const std::string& program) {
   (void)limit;
 }
 
+/// Returns the message with a hint if it quotes a word that only looks right.
+std::string WithLookAlikes(const std::string& message, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    const std::string hint = LookAlikeHint(word);
+    const bool is_said = message.find("U+") != std::string::npos || message.find(Escaped(word)) == std::string::npos;
+    if (!hint.empty() && !is_said) return message + "; " + hint;
+  }
+  return message;
+}
+
 }  // namespace
 
 void ReserveMemory() {
@@ -80,7 +92,12 @@ int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::ve
   return Guarded(program, [&] {
     RequireStack();
     LimitThreads(NameOf(program) + ": ");
-    return run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+    const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+    try {
+      return run(words);
+    } catch (const UsageError& error) {
+      throw UsageError(WithLookAlikes(error.what(), words));
+    }
   });
 }
 

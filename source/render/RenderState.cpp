@@ -93,7 +93,7 @@ class Reader {
   std::span<const unsigned char> rest_;
 };
 
-/// The first line in which the two differ, as the first has it.
+/// The first line in which the two differ, as the first has it: "-seed 0", or "-fresnel " for an option not given.
 std::string FirstDifference(std::string_view a, std::string_view b) {
   while (!a.empty()) {
     const std::string_view line_a = a.substr(0, a.find('\n')), line_b = b.substr(0, b.find('\n'));
@@ -272,9 +272,11 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
   const std::string theirs = reader.TakeText(length);
   if (theirs != identity) {
     const std::string difference = FirstDifference(theirs, identity);
-    const bool is_scene = difference.starts_with("scene ");  // whose hash would tell nobody anything
-    throw OtherImageError(is_scene ? "the checkpoint belongs to a different scene"
-                                   : "the checkpoint was made with " + difference);
+    if (difference.starts_with("scene "))  // a hash means nothing to a reader
+      throw OtherImageError("the checkpoint belongs to a different scene");
+    if (difference.ends_with(' '))
+      throw OtherImageError("the checkpoint was made without " + difference.substr(0, difference.size() - 1));
+    throw OtherImageError("the checkpoint was made with " + difference);
   }
   RenderState state;
   state.schedule = TakeSchedule(reader, film.Blocks());

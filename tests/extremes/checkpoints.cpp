@@ -144,6 +144,17 @@ TEST_F(Checkpoints, L9_OfAnotherImageAreRefusedNamingTheDifference) {
   } catch (const ray::CheckpointError& error) {
     EXPECT_STREQ(error.what(), "the checkpoint was made with -seed 0");
   }
+  const auto refusal = [&](const std::string& theirs, const std::string& ours) -> std::string {
+    try {
+      ray::DecodedState(ray::Encoded(ray::DecodedState(bytes_, identity_, film_), theirs), ours, film_);
+      return "accepted";
+    } catch (const ray::CheckpointError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refusal("version 1\n-fresnel \n-seed 1\n", "version 1\n-fresnel on\n-seed 2\n"),
+            "the checkpoint was made without -fresnel");
+  EXPECT_EQ(refusal("version 1\n-fresnel on\n", "version 1\n-fresnel \n"), "the checkpoint was made with -fresnel on");
   const ray::Film larger(24, 9, {0, 0, 24, 9}, ray::FilterKind::mitchell);
   EXPECT_THROW(ray::DecodedState(bytes_, identity_, larger), ray::CheckpointError);
 }

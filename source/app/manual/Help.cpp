@@ -184,7 +184,7 @@ const ProgramText& TextOf(Program program) {
           {"3", bad_scene},
           {"4", "The image cannot be written."},
           {"129, 130, 143, 152",
-           "Stopped by SIGHUP, SIGINT, SIGTERM or SIGXCPU; the image so far is saved, never over a finished one."}}};
+           "Stopped by SIGHUP, SIGINT, SIGTERM or SIGXCPU; the image so far is saved."}}};
   static const ProgramText of_rayview{
       .names = "scene",
       .summary = "view a scene, and ray trace the view",

@@ -22,6 +22,7 @@
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Memory.h"
 #include "source/film/denoise/DenoiseFilters.h"
+#include "source/text/LookAlike.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Number.h"
 #include "source/text/Quoting.h"
@@ -50,6 +51,17 @@ const OptionKind& Known(Program program, const std::string& word) {
     throw UsageError("unknown option " + Quoted(word) + answer);
   throw UsageError("unknown option " + Quoted(word) + HintAt(program, word) + " (" + NameOf(program) +
                    " -help lists them all)");
+}
+
+/// Refuses "–width", which begins with another dash than options do and would be the name of a file.
+void RefuseLookAlikes(Program program, std::span<const std::string> words) {
+  for (const std::string& word : words) {
+    if (word == "--") return;
+    const std::string plain = WithoutLookAlikes(word);
+    if (plain == word || LooksLikeOption(word) || !LooksLikeOption(plain)) continue;
+    if (FindOption(program, SplitOption(plain).name))
+      throw UsageError("unknown option " + Quoted(word) + "; " + LookAlikeHint(word));
+  }
 }
 
 /// The arguments of the option at the front of `words`, and how many words they and the option take.
@@ -335,6 +347,7 @@ void Derive(Options& options) {
 Options ReadCommandLine(Program program, std::span<const std::string> words) {
   if (const auto help = HelpAnywhere(program, words)) return *help;
 
+  RefuseLookAlikes(program, words);
   Options options = Defaults(program);
   std::set<const OptionKind*> seen;
   const bool renders = CommandsOf(program).empty();

@@ -8,6 +8,7 @@
 
 #include "source/parse/Format.h"
 #include "source/parse/meshes/MeshFormat.h"
+#include "source/parse/scn/QuotedName.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Number.h"
 #include "source/text/Suggestion.h"
@@ -287,7 +288,9 @@ void ScnReader::WithFile(Statement& statement, const Token& name, const std::fun
   try {
     read();
   } catch (const FileError& error) {
-    statement.Error(name, error.message, error.hint);
+    const std::string similar = QuotedWhereNeeded(error.similar);
+    const bool needs_quotes = !error.similar.empty() && similar != error.similar;
+    statement.Error(name, error.message, needs_quotes ? "did you mean " + Escaped(similar) + "?" : error.hint);
   } catch (SceneError& error) {
     error.included_from.push_back(CurrentFile() + ":" + std::to_string(name.line));
     Error(std::move(error));

@@ -40,7 +40,9 @@ Arguments Statement::Numbers(std::span<const R3::Argument> wanted) {
   read.words.reserve(wanted.size());
   for (const R3::Argument& argument : wanted) {
     if (const auto& next = tokens_.Peek(); !next || BeginsStatement(*next)) {
-      Error(word_, std::string(name_) + ": " + argument.name + " is missing", std::string(usage_));
+      const std::string color = HexColorHint(tokens_.Source(), read.words.empty() ? word_ : read.words.back());
+      Error(word_, std::string(name_) + ": " + argument.name + " is missing",
+            color.empty() ? std::string(usage_) : color);
       throw Incomplete{};
     }
     const Token word = *tokens_.Next();
@@ -114,8 +116,10 @@ void Statement::Error(const Token& at, std::string message, std::string hint) {
   if (hint.empty() && IsArithmetic(at.text))
     hint = "arithmetic stands in parentheses: (" + Escaped(at.text) + ")";
   else if (hint.empty() && at.text.starts_with('$'))
-    hint = "nothing has defined it: 'define " + std::string(at.text.substr(1)) + " 0.5' does, or -define " +
-           std::string(at.text.substr(1)) + "=0.5";
+    hint = Variables::IsName(at.text.substr(1))
+               ? "nothing has defined it: 'define " + std::string(at.text.substr(1)) + " 0.5' does, or -define " +
+                     std::string(at.text.substr(1)) + "=0.5"
+               : "names of variables are of a to z, A to Z, 0 to 9 and _";
   else if (hint.empty() && !at.variable.empty())
     hint = "that is what " + Escaped(at.variable) + " stands for";
   errors_.push_back(ErrorAt(tokens_.Source(), at, std::move(message), std::move(hint)));

@@ -129,6 +129,9 @@ TEST(Scn, QuotedNamesMayHoldBlanksAndAreChecked) {
   EXPECT_TRUE(Contains(ReportOf("mesh -1 \"a b"), "scene.scn:1:9: error: the closing quote is missing"));
   EXPECT_TRUE(Contains(ReportOf("mesh -1 \"a\\q\""), "a backslash in quotes must be followed by"));
   EXPECT_TRUE(Contains(ReportOf("mesh -1 \"\""), "between the quotes is empty"));
+  folder.Write("my wood.png", "");
+  folder.Write("scene.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 \"my wod.png\"");
+  EXPECT_TRUE(Contains(ReportOf(folder, "scene.scn"), "did you mean \"my wood.png\"?")) << "as it is typed";
   EXPECT_TRUE(Contains(ReportOf("include \"no such.scn\""), "no such file: 'no such.scn'"));
 }
 
@@ -516,6 +519,29 @@ TEST(Scn, TheScenesOfTheCourseAreReadWithoutAnError) {
     }
   }
   EXPECT_GT(count, 40);
+}
+
+TEST(Scn, ColorsOfWebPagesAreNamedAsTheCommentsThatTheyAre) {
+  const std::string hint = "a # begins a comment; a color is three numbers from 0 to 1: ";
+  EXPECT_TRUE(Contains(ReportOf("background #ff0000\n"), hint + "1 0 0"));
+  EXPECT_TRUE(Contains(ReportOf("ambient   #0f3\nsphere -1 0 0 0 1\n"), hint + "0 1 0.2"));
+  EXPECT_TRUE(Contains(ReportOf("point_light 1 1 1 0 0 0 1 0 #336699ff\n"), hint + "0.2 0.4 0.6"));
+  for (const char* comment : {"# ff0000", "#red", "#ff000", "# a color", ""})
+    EXPECT_TRUE(Contains(ReportOf("background " + std::string(comment) + "\n"), "background r g b")) << comment;
+}
+
+TEST(Scn, CharactersThatLookRightAreNamedWhereverTheyStand) {
+  EXPECT_TRUE(Contains(ReportOf("sphere -1 0 0 \u22121 1\n"), "U+2212, a minus sign: type '-1'"));
+  EXPECT_TRUE(Contains(ReportOf("sphere\u00A0-1 0 0 0 1\n"), "U+00A0, a no-break space: type 'sphere -1'"));
+  EXPECT_TRUE(Contains(ReportOf("camera 0 0 6  0 0 -1  0 1 0  .4  .01 100\n\uFEFFsphere -1 0 0 0 1\n"), "U+FEFF"));
+  EXPECT_TRUE(Contains(ReportOf("mesh -1 \u201Ca.obj\u201D\n"), "type '\"a.obj\"'"));
+}
+
+TEST(Scn, AVariableWhoseNameCannotBeIsNotSaidToBeDefinable) {
+  const std::string report = ReportOf("sphere -1 0 0 0 $größe\n");
+  EXPECT_FALSE(Contains(report, "'define"));
+  EXPECT_TRUE(Contains(report, "names of variables are of a to z, A to Z, 0 to 9 and _")) << report;
+  EXPECT_TRUE(Contains(ReportOf("sphere -1 0 0 0 $size\n"), "'define size 0.5' does"));
 }
 
 }  // namespace

@@ -584,5 +584,14 @@ TEST(CommandLine, WordsTypedForAValueLeadToIt) {
     }
 }
 
+// Copied from a web page, where two hyphens have become a dash.
+TEST(CommandLine, OptionsWithAnotherDashAreNoNames) {
+  EXPECT_EQ(ErrorOf({"in.scn", "\u2013width", "64"}),
+            "unknown option '\u2013width'; it has U+2013, an en dash: type '-width'");
+  EXPECT_TRUE(Has(ErrorBeside({"\u2014samples=4"}), "U+2014, an em dash: type '-samples=4'"));
+  EXPECT_EQ(ErrorOf({"--", "\u2013width", "out.ppm"}), "") << "behind -- all are names";
+  EXPECT_EQ(ErrorOf({"\u2013my scene.scn", "out.ppm"}), "") << "no option has that name";
+}
+
 }  // namespace
 }  // namespace ray
