@@ -88,7 +88,9 @@ esac
 for program in "$raypro" "$writer" ${engine:+"$(echo "$engine" | sed s/slurm/sbatch/)"}; do
   command -v "$program" > /dev/null || fail 1 "$program is not installed"
 done
-case $frames in '' | *[!0-9]* | 0* | ??????*) usage "-frames must be a whole number from 1 to 99999, got '$frames'" ;; esac
+case $frames in
+  '' | *[!0-9]* | 0* | ??????*) usage "-frames must be a whole number from 1 to 99999, got '$frames'" ;;
+esac
 number -fps "$fps"
 awk 'BEGIN { exit !(ARGV[1] >= 0.1 && ARGV[1] <= 1000) }' "$fps" || usage "-fps must be 0.1 to 1000, got '$fps'"
 number -turns "$turns"
@@ -146,7 +148,8 @@ fi
 # Names go by the environment, where a backslash is one.
 # shellcheck disable=SC1003  # in a name in quotes, a backslash and a quote have one before them
 SCENE=$(printf %s "$scene" | sed 's/[\\"]/\\&/g') FOLDER=$work awk \
-    -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low" -v high="$high" -v least="$least" -v most="$most" '
+    -v way="$way" -v to="$to" -v turns="$turns" -v frames="$frames" -v low="$low" -v high="$high" -v least="$least" \
+    -v most="$most" '
   function mix(a, b, t) { return a + (b - a) * t }
   # A vector of the camera around the vertical axis; ca and sa are of the angle.
   function turn(k,   x) { x = ca * from[k] + sa * from[k + 2]; c[k + 2] = -sa * from[k] + ca * from[k + 2]; c[k] = x }
@@ -249,11 +252,12 @@ case $out in
   *.avi) "$rayimg" movie "$out" -fps "$fps" "$work"/frame*.jpg ;;
   *.webp)
     pause=$(awk "BEGIN { printf \"%d\", 1000 / $fps + 0.5 }")
-    img2webp -loop 0 -lossy -q 85 -d "$pause" "$work"/frame*.jpg -o "$made" > "$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
+    img2webp -loop 0 -lossy -q 85 -d "$pause" "$work"/frame*.jpg -o "$made" > "$work/said" 2>&1 ||
+      { cat "$work/said" >&2; exit 1; }
     mv -f "$made" "$out" ;;
   *.mp4)  # whose pixels are coded by twos
-    ffmpeg -v error -y -framerate "$fps" -i "file:$work/frame%05d.jpg" -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p \
-      "file:$made" < /dev/null
+    ffmpeg -v error -y -framerate "$fps" -i "file:$work/frame%05d.jpg" -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' \
+      -pix_fmt yuv420p "file:$made" < /dev/null
     mv -f "$made" "$out" ;;
 esac
 [ -z "$keep" ] || echo "the frames are in $work"

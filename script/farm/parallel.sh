@@ -60,7 +60,8 @@ render_parts() {
     n=$((n + 1)); [ $n -le 3 ] || words="$words$IFS{$n}"
     shift; set -- "$@" ::: "$word"
   done
-  $show parallel -q --jobs 1 --retries 3 --joblog "$out.joblog" --workdir "${copy:-$here}" $more $words -part "{1}/$parts" :::: - "$@"
+  $show parallel -q --jobs 1 --retries 3 --joblog "$out.joblog" --workdir "${copy:-$here}" $more \
+    $words -part "{1}/$parts" :::: - "$@"
   set +f
 }
 [ ! "$show" ] || render_parts "$@"

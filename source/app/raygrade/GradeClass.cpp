@@ -42,6 +42,13 @@ std::vector<std::string> CommandOf(const GradeOptions& options, const grade::Sui
   if (!options.students.empty() &&
       std::ranges::none_of(command, [](const std::string& word) { return word.find("{student}") != word.npos; }))
     throw UsageError("with -students the command needs {student}, the folder of each");
+  // Programs run in folders of their own. A program named without a slash is looked for on PATH.
+  for (std::string& word : command) {
+    std::error_code none;
+    const bool has_slash = word.find('/') != word.npos, is_program = &word == &command.front();
+    if (fs::exists(word, none) && (has_slash || (!is_program && fs::is_regular_file(word, none))))
+      word = fs::absolute(word).lexically_normal().string();
+  }
   return command;
 }
 

@@ -267,8 +267,8 @@ TEST(MovieScript, ProgramsBesideItAreFoundOffThePath) {
                                     place / (std::string("bin/") + (variable[3] == 'P' ? "raypro" : "rayimg")));
   std::filesystem::create_symlink("bin/raypro-movie", place / "linked");
   for (const char* command : {"sh bin/raypro-movie", "./linked"}) {
-    const std::string all = "cd '" + place.Path().string() + "' && env -u RAYPRO -u RAYIMG PATH=/usr/bin:/bin " + command +
-                            " -define t 0 1 -frames 2 -width 16 -height 12 in.scn out.avi > said 2>&1";
+    const std::string all = "cd '" + place.Path().string() + "' && env -u RAYPRO -u RAYIMG PATH=/usr/bin:/bin " +
+                            command + " -define t 0 1 -frames 2 -width 16 -height 12 in.scn out.avi > said 2>&1";
     EXPECT_EQ(std::system(all.c_str()), 0) << command << ReadFile(place / "said");
     EXPECT_TRUE(std::filesystem::remove(place / "out.avi")) << command;
   }
