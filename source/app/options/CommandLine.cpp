@@ -137,7 +137,8 @@ void TakeName(const std::string& word, Options& options) {
 void RefuseHeight(const OptionKind& option, std::span<const std::string> words) {
   const auto [name, attached] = SplitOption(words[0]);
   const std::string value = attached ? *attached : words.size() > 1 ? words[1] : "";
-  if (name == option.name || ParseNumber(value).problem) return;
+  const auto height = ParseWhole(value);
+  if (name == option.name || height.problem || height.value < 1) return;
   throw UsageError(Quoted("-" + name + " " + value) + ": -" + name + " is -" + option.name +
                    "; did you mean '-height " + value + "'?");
 }

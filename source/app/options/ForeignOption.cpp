@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "source/app/Status.h"
 #include "source/app/options/OptionTable.h"
 #include "source/text/Words.h"
 
@@ -55,10 +56,24 @@ std::vector<Foreign> ForeignWords(Program program) {
   return words;
 }
 
-/// The answer, with the value that was typed as one word with the option.
-std::string AnswerText(const Foreign& foreign, const std::string& value) {
+bool Accepts(const OptionKind& option, const std::string& value) {
+  if (MostArguments(option) != 1) return false;
+  try {
+    const std::vector<std::string> words{value};
+    Options scratch;
+    Store(option, words, scratch);
+    return true;
+  } catch (const UsageError&) {
+    return false;
+  }
+}
+
+/// The answer, with the value that was typed as one word with the option if the option accepts it.
+std::string AnswerText(Program program, const Foreign& foreign, const std::string& value) {
   if (!foreign.answer.starts_with('-')) return "; " + foreign.answer;
-  return "; did you mean '" + foreign.answer + (value.empty() ? "" : " " + value) + "'?";
+  const OptionKind* option = FindOption(program, foreign.answer.substr(1));
+  const bool shows_value = !value.empty() && option && Accepts(*option, value);
+  return "; did you mean '" + foreign.answer + (shows_value ? " " + value : "") + "'?";
 }
 
 /// The answer to the entry that is the longest beginning of POV-Ray's option.
@@ -66,12 +81,12 @@ std::string AnswerToPlus(Program program, const std::string& word, const std::st
   Foreign best;
   for (const Foreign& foreign : ForeignWords(program))
     if (word.starts_with(foreign.word) && foreign.word.size() > best.word.size()) best = foreign;
-  return best.word.empty() ? std::string() : AnswerText(best, value);
+  return best.word.empty() ? std::string() : AnswerText(program, best, value);
 }
 
 std::string AnswerTo(Program program, const std::string& word, const std::string& value) {
   for (const Foreign& foreign : ForeignWords(program))
-    if (word == foreign.word) return AnswerText(foreign, value);
+    if (word == foreign.word) return AnswerText(program, foreign, value);
   return {};
 }
 

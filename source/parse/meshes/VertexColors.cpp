@@ -23,13 +23,14 @@ bool IsWhole(const std::array<float, 3>& color) {
 
 void VertexColors::Add(std::size_t place, const std::array<double, 3>& channels, const Token& where) {
   if (place >= colors_.size()) colors_.resize(place + 1, none);
-  const bool is_usable = std::ranges::all_of(channels, [](double c) { return c >= 0 && c <= largest; });
+  const bool is_usable = std::ranges::all_of(channels, [](double c) { return c >= 0 && c <= largest + 0.5; });
   if (!is_usable) {
     absent_.Add(where);
     return;
   }
   greatest_ = std::max(greatest_, *std::ranges::max_element(channels));
-  colors_[place] = {static_cast<float>(channels[0]), static_cast<float>(channels[1]), static_cast<float>(channels[2])};
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    colors_[place][i] = static_cast<float>(std::min(channels[i], largest));
 }
 
 std::vector<std::array<float, 3>> VertexColors::Take(std::size_t vertices) {
