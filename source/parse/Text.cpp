@@ -59,7 +59,9 @@ SceneError ErrorAt(const Text& text, const Token& token, std::string message, st
 
 std::string HexColorHint(const Text& text, const Token& token) {
   const char* const behind = token.InFile().data() + token.InFile().size();
-  std::string_view rest(behind, static_cast<std::size_t>(text.bytes.data() + text.bytes.size() - behind));
+  const char* const end = text.bytes.data() + text.bytes.size();
+  if (behind < text.bytes.data() || behind > end) return {};
+  std::string_view rest(behind, static_cast<std::size_t>(end - behind));
   rest = rest.substr(0, rest.find_first_of("\r\n"));
   rest.remove_prefix(std::min(rest.find_first_not_of(" \t:"), rest.size()));
   if (!rest.starts_with('#')) return {};
