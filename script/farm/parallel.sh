@@ -42,8 +42,8 @@ for file in ${copy:+$("$raypro" "$scene" "$@" -files)}; do
   send=$send$IFS--basefile=$file
 done
 set +f
-# A machine that does not answer is given up after 15 s,
-# and files are sent by rsync to names that parallel has quoted: since 3.2.4 it would quote them once more.
+# A machine that does not answer is given up after 15 s. Parallel quotes the names that it gives to rsync, which would
+# quote them once more since version 3.2.4.
 export RSYNC_OLD_ARGS=1 PARALLEL_SSH="${PARALLEL_SSH:-ssh -o BatchMode=yes -o ConnectTimeout=10 -o ServerAliveInterval=5}"
 # Beside the scene go the joblog, since it makes the image's folder there, and the plan that a round follows. Words with
 # braces would be patterns to parallel: so all are sources of one value, and {2} stands for the first of them.

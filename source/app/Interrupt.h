@@ -19,8 +19,8 @@ inline constexpr long needed_stack = 256 << 10;
 /// std::runtime_error, which names both, where it does not.
 void RequireStack();
 
-/// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU set *StopRequested(); a second SIGINT or SIGTERM ends the program at
-/// once. A signal that is ignored already (nohup, a background job of a script) stays ignored.
+/// Lets SIGINT, SIGTERM, SIGHUP and SIGXCPU set *StopRequested(). A second SIGINT or SIGTERM ends the program at once.
+/// A signal that is ignored already (nohup, a background job of a script) stays ignored.
 void CatchInterrupts();
 const std::atomic<bool>* StopRequested();
 /// The signal that asked to stop, 0 while none has.

@@ -31,7 +31,7 @@ struct SceneFormat {
 /// Every one, in the order of formats.def.
 std::span<const SceneFormat* const> SceneFormats();
 
-/// Whether a file's extension, in any letter case, is that of a scene.
+/// Returns true if a file's extension, in any letter case, is that of a scene.
 bool IsSceneName(const std::string& file);
 
 }  // namespace ray
