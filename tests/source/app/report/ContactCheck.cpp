@@ -42,11 +42,11 @@ TEST(ContactCheck, PointsOutSurfacesOfDifferentMaterialsInOnePlane) {
 }
 
 TEST(ContactCheck, PointsOutTheSameShapeOfAnotherMaterial) {
-  const std::string ball = "sphere 0 0 0 0 1\nsphere 1 0 0 0 1\n";
-  EXPECT_TRUE(Has(Mistakes(matte + matte + ball), "example.scn:5:1: warning: this shape is the same as that of "));
+  const std::string two_balls = "sphere 0 0 0 0 1\nsphere 1 0 0 0 1\n";
+  EXPECT_TRUE(Has(Mistakes(matte + matte + two_balls), "example.scn:5:1: warning: this shape is the same as that of "));
   EXPECT_EQ(Mistakes(matte + "sphere 0 0 0 0 1\nsphere 0 0 0 0 1\n"), "");
   const std::string glowing = "material 0 0 0  0 0 0  0 0 0  0 0 0  3 3 3  1 1 0\n";
-  EXPECT_TRUE(Has(Mistakes(matte + glowing + ball), "example.scn:4:1: warning: this shape is the same as that of "));
+  EXPECT_TRUE(Has(Mistakes(matte + glowing + two_balls), "example.scn:4:1: warning: this shape is the same as that of "));
 }
 
 TEST(ContactCheck, LetsGlassStandOnAFloor) {
