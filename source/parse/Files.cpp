@@ -128,8 +128,8 @@ std::optional<FoundFile> Files::FindAt(const std::string& folder, const std::str
   if (error == std::errc::permission_denied) return denied = problem, std::nullopt;
   if (error) throw problem;
   if (!IsAllowed(canonical.string())) {
-    const std::string folder = canonical.parent_path().string();
-    const std::string outside = folder.find(' ') == folder.npos ? Escaped(folder) : Quoted(folder);
+    const std::string parent = canonical.parent_path().string();
+    const std::string outside = parent.find(' ') == parent.npos ? Escaped(parent) : Quoted(parent);
     throw FileError{Quoted(name) + " is outside the scene's folder and the current folder",
                     "-allow_path " + outside + " allows it"};
   }
