@@ -113,7 +113,7 @@ std::vector<SceneError> Statement::Errors() && {
 
 void Statement::Error(const Token& at, std::string message, std::string hint) {
   if (at.is_broken) return;
-  if (hint.empty() && IsArithmetic(at.text))
+  if (hint.empty() && message.find(" must be ") != message.npos && IsArithmetic(at.text))
     hint = "arithmetic stands in parentheses: (" + Escaped(at.text) + ")";
   else if (hint.empty() && at.text.starts_with('$'))
     hint = Variables::IsName(at.text.substr(1))
