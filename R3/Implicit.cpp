@@ -13,13 +13,12 @@
 namespace R3 {
 namespace {
 
-/// Whether bounds on a formula say for all of a stretch that it is inside, or that it is not. Bounds that are no numbers
-/// say nothing.
+/// Returns true if bounds on a formula put a whole stretch inside or outside. NaN bounds decide nothing.
 bool Decides(const Interval& value) { return value.low > 0 || value.high <= 0; }
 
-/// Whether places of a ray are inside of a formula: where it is below 0, and where it is 0 beside another place that is
-/// inside. So a surface that a formula only touches, as (f)^2 does, is none, whatever rounding makes of it. Where it is
-/// not defined is outside.
+/// Decides which places of a ray are inside: those where the formula is below 0, and those where it is 0 next to
+/// another place inside. If a formula only touches 0, as (f)^2 does, there is no surface, whatever the rounding. Places
+/// where it is undefined are outside.
 class InsideTest {
  public:
   /// `enter` and `leave`: where the ray meets the box.
@@ -31,9 +30,9 @@ class InsideTest {
         shortest_(64 * unit_roundoff * std::max(std::abs(enter), std::abs(leave))) {}
 
   bool operator()(double t) { return Of(t, ValueAt(t)); }
-  /// The same of a place where the value is known.
+  /// Decides for a place whose value is known.
   bool Of(double t, double value) { return value < 0 || (value == 0 && IsBesideInside(t)); }
-  /// How near places are that rounding cannot tell apart.
+  /// The distance in t below which rounding makes places indistinguishable.
   double Shortest() const { return shortest_; }
 
  private:
@@ -329,7 +328,7 @@ Vector Implicit::AcrossJump(const Point& p, const Vector& way, double radius) co
   }
   const Vector rough = outward == Vector{} ? -way : Unit(outward);
   const Tangents across = TangentsOf(rough);
-  // Where the jump is on a line beside p along `rough`, by bisection.
+  // Bisects for the jump on a line along `rough` that passes beside p.
   const auto place_beside = [&](const Vector& aside) {
     const Point start = p + radius * aside;
     double low = -2 * radius, high = 2 * radius;  // inside; outside

@@ -6,8 +6,8 @@
 
 namespace R3 {
 
-/// The moment or the request that ends long searches of this thread while it is in scope. A search that is cut gives
-/// any answer: whoever sets a limit discards what was traced once it is reached.
+/// A deadline and a stop flag that end long searches of this thread while the object is in scope. A search that is cut
+/// off returns a meaningless answer, so callers must discard what was traced once the limit is reached.
 class SearchLimit {
  public:
   using Clock = std::chrono::steady_clock;
@@ -23,8 +23,8 @@ class SearchLimit {
   static bool IsReached(const std::atomic<bool>* stop, const std::optional<Clock::time_point>& deadline) {
     return (stop && stop->load(std::memory_order_relaxed)) || (deadline && Clock::now() >= *deadline);
   }
-  /// Returns true if the innermost limit of the thread is reached. Searches ask every microsecond or so, long ones and
-  /// many short ones alike; one time in 64 the clock is looked at.
+  /// Returns true if the innermost limit of the thread is reached. Searches call it about every microsecond; only every
+  /// 64th call of the thread reads the flag and the clock.
   static bool EndsSearches() {
     return innermost && ++asked % 64 == 0 && IsReached(innermost->stop_, innermost->deadline_);
   }

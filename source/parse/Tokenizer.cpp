@@ -92,8 +92,9 @@ std::size_t Tokenizer::LengthOfQuoted() const {
   return static_cast<std::size_t>(behind - next_);
 }
 
-/// Up to the parenthesis that closes the first one; if it is missing, up to the end of the line or a comment. 0 for a
-/// word such as the name of a file: one that goes on behind the parenthesis, or begins like no formula and lacks it.
+/// Returns the length up to the closing parenthesis, or up to the end of the line or a comment if that is missing.
+/// Returns 0 if the word is not a formula but, for example, a file name: if it continues after the closing parenthesis,
+/// or lacks one and does not begin like a formula.
 std::size_t Tokenizer::LengthOfFormula() const {
   int open = 0;
   const char* behind = next_;

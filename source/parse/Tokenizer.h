@@ -40,7 +40,7 @@ class Tokenizer {
   std::size_t BytesLeft() const { return static_cast<std::size_t>(end_ - next_); }
   const Text& Source() const { return text_; }
 
-  /// The formulas so far that have no value. Each stands for 1, so that what is around it can be read.
+  /// Errors of formulas that have no value. Each such formula is read as 1, so that parsing can continue.
   const std::vector<SceneError>& Mistakes() const { return mistakes_; }
   std::vector<SceneError> TakeMistakes() { return std::exchange(mistakes_, {}); }
 

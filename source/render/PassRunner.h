@@ -61,7 +61,7 @@ class PassRunner {
 
  private:
   bool IsStopped() const { return work_.stop && work_.stop->load(std::memory_order_relaxed); }
-  /// When tracing is to end; none before there is anything to show.
+  /// The time at which tracing ends; none until there is something to show.
   std::optional<Clock::time_point> Deadline() const;
   bool IsPauseDue() const {
     const auto deadline = Deadline();

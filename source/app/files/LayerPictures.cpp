@@ -62,7 +62,7 @@ RenderSettings SettingsForLayer(const RenderSettings& picture, Layer layer) {
   settings.replay.reset();
   settings.wants_passes = false;
   settings.denoise = false;
-  settings.places = BlockOrder::places;  // what is interpolated is no normal and no place on a texture
+  settings.places = BlockOrder::places;  // interpolated normals and texture coordinates would be wrong
   if (layer == Layer::id || layer == Layer::depth) {
     settings.samples = 1;
     settings.filter = FilterKind::box;

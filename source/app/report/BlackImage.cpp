@@ -27,7 +27,7 @@ RenderSettings Small(const RenderSettings& settings) {
   return small;
 }
 
-/// What the camera rays of a small image meet.
+/// A summary of what the camera rays of a small image hit.
 struct Views {
   std::size_t rays = 0, backs = 0, black = 0;  // all; that hit the back of a surface; that hit one that reflects nothing
   std::vector<double> distances;               // of those that hit, along the viewing direction

@@ -34,7 +34,7 @@ void AddCameraRays(const World& world, const RenderSettings& settings, int side,
   }
 }
 
-/// Adds rays that meet lamps made of triangles from both sides, since they light what is seen even if they are not.
+/// Adds rays that hit lamps made of triangles from both sides: such lamps light the image even if they are out of view.
 void AddRaysToLamps(const World& world, std::vector<R3::Ray>& rays) {
   constexpr int most = 64;
   int lamps = 0;
