@@ -42,9 +42,11 @@ inline Interval Hull(const Interval& a, const Interval& b) {
 }
 
 inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
-/// Returns the interval, cut off at 0 if its truth is known to be 0 or more: rounding outward would leave its square root
-/// undefined.
-inline Interval NotNegative(bool is_known, const Interval& a) { return {is_known ? std::max(a.low, 0.0) : a.low, a.high}; }
+/// Returns the interval, cut off at 0 if its truth is known to be 0 or more. Rounding outward would otherwise leave its
+/// square root undefined.
+inline Interval NotNegative(bool is_known, const Interval& a) {
+  return {is_known ? std::max(a.low, 0.0) : a.low, a.high};
+}
 inline Interval operator+(const Interval& a, const Interval& b) {
   return NotNegative(a.low >= 0 && b.low >= 0, Outward(a.low + b.low, a.high + b.high));
 }
