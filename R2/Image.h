@@ -50,8 +50,8 @@ class Image {
     p[2] = static_cast<float>(c.b);
   }
 
-  /// Sets a pixel of an image that is rendered. Every such pixel is stored by this function, so that none is infinite or
-  /// NaN; Set keeps what a file contains.
+  /// Sets a pixel of an image that is rendered. Every such pixel is stored by this function, so that none is infinite
+  /// or NaN; Set keeps what a file contains.
   void Store(int x, int y, const Color& c) { Set(x, y, Storable(c)); }
 
   /// All channels, three floats (r, g, b) per pixel, rows from the bottom: for writers and for comparing pictures byte

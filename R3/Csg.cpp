@@ -146,8 +146,7 @@ std::vector<Box> Csg::BoxesOfParts() const {
 std::optional<Hit> Csg::Intersect(const Ray& ray, int) const {
   if (is_empty_ || !IsLine(ray)) return {};
   CsgCrossings crossings;
-  tree_.ForEachSolid(ray, crossings,
-                     [&](std::uint32_t part) { AddCrossings(solids_[number_[part]], ray, crossings); });
+  tree_.ForEachSolid(ray, crossings, [&](std::uint32_t part) { AddCrossings(solids_[number_[part]], ray, crossings); });
   if (crossings.empty()) return {};
   Sort(crossings);
   Insides insides(links_);

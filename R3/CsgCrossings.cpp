@@ -99,8 +99,8 @@ class LineThroughSolid {
 /// both of them. Where some lead in and others out, as where the line touches a silhouette, it is not known what they
 /// do.
 Candidate Merged(const Candidate* first, const Candidate* last) {
-  Candidate merged = *std::max_element(
-      first, last, [](const Candidate& a, const Candidate& b) { return a.steepness < b.steepness; });
+  Candidate merged =
+      *std::max_element(first, last, [](const Candidate& a, const Candidate& b) { return a.steepness < b.steepness; });
   for (const Candidate* other = first; other != last; ++other) {
     merged.is_unsure |= other->crossing.enters != merged.crossing.enters;
     merged.crossing.low = std::min(merged.crossing.low, other->crossing.low);

@@ -88,7 +88,7 @@ class CsgTree {
     /// A product of 0 and infinity is NaN where the ray lies in a plane; the comparisons leave the interval as it was.
     bool Meet(const std::array<Point, 2>& bounds) const {
       double enter = t_min_, leave = t_max_;
-      const auto clip = [&](std::size_t axis, double Point::* coordinate) {
+      const auto clip = [&](std::size_t axis, double Point::*coordinate) {
         const double near = bounds[is_backward_[axis]].*coordinate, far = bounds[!is_backward_[axis]].*coordinate;
         const double from = (near - near_origin_[axis]) * inverse_[axis];
         const double to = (far - far_origin_[axis]) * inverse_[axis];

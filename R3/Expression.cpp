@@ -171,7 +171,8 @@ double Evaluate(std::string_view formula, const ValueOfName& value_of) {
   std::vector<double> values;
   const double value = Expression(formula, value_of).At(0.0, 0.0, 0.0, values);
   if (!std::isfinite(value))
-    throw ExpressionError(0, formula.size(), std::isnan(value) ? "this has no value" : "this exceeds the range of a double");
+    throw ExpressionError(0, formula.size(),
+                          std::isnan(value) ? "this has no value" : "this exceeds the range of a double");
   return value;
 }
 

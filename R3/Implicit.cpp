@@ -112,7 +112,7 @@ class FormulaOnLine {
     for (std::size_t i = count; i-- > 0;)
       if (states[i] != State::unchanged)
         waiting_.push_back({i > 0 ? ends.at[i - 1] : s.low, ends.at[i], i > 0 ? is_inside[i - 1] : s.begins_inside,
-                           is_inside[i], divisions, states[i]});
+                            is_inside[i], divisions, states[i]});
   }
 
   void AskWhichAreInside(const Lanes& t, std::size_t count, std::array<bool, parts>& is_inside) {
@@ -187,8 +187,7 @@ class FormulaOnLine {
   }
 
   static void SpreadAmongDoubles(double low, double high, Lanes& t) {
-    for (std::size_t i = 0; i < parts; ++i)
-      t.at[i] = AmongDoubles(low, high, static_cast<double>(i + 1) / (parts + 1));
+    for (std::size_t i = 0; i < parts; ++i) t.at[i] = AmongDoubles(low, high, static_cast<double>(i + 1) / (parts + 1));
   }
 
   struct Root {
@@ -307,8 +306,7 @@ Vector Implicit::GradientAt(const Point& p) const {
 /// without a slope, the surface is taken to be the plane through three of its places nearby.
 Vector Implicit::DirectionNear(const Point& p, const Vector& way) const {
   constexpr double least = 4 * unit_roundoff, most = 0x1p-16;  // of the size of the box and its distance
-  const double reach =
-      std::max(MaxComponent(Abs(FromOrigin(box_.low))), MaxComponent(Abs(FromOrigin(box_.high))));
+  const double reach = std::max(MaxComponent(Abs(FromOrigin(box_.low))), MaxComponent(Abs(FromOrigin(box_.high))));
   const Vector unit = Unit(way);
   for (double step = least; step <= most; step *= 4)
     for (const double side : {-1.0, 1.0}) {

@@ -27,8 +27,8 @@ TEST(Docs, ACommandThatFailsOrAnswersOtherwiseIsFound) {
   for (const char* program : {"RAYPRO", "RAYIMG", "RAYGRADE"})
     if (!std::getenv(program)) GTEST_SKIP() << program << " is not set";
   const std::filesystem::path root = std::filesystem::absolute(project::Root());
-  const std::string run = "PYTHONDONTWRITEBYTECODE=1 python3 '" + (root / "tests/docs/commands.py").string() + "' '" +
-                          root.string() + "' ";
+  const std::string run =
+      "PYTHONDONTWRITEBYTECODE=1 python3 '" + (root / "tests/docs/commands.py").string() + "' '" + root.string() + "' ";
   if (std::system("python3 -c pass > /dev/null 2>&1") != 0) GTEST_SKIP() << "python3 is not installed";
   const std::filesystem::path page = std::filesystem::temp_directory_path() / "raytests-page.md";
   for (const char* shown : {"    raypro in.scn out.png -sample 4", "Try `raypro nowhere.scn out.png`.",

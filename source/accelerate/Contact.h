@@ -24,9 +24,9 @@
 ///   one that emits is in front of those that do not, then the one with the lowest primitive id, everywhere, whatever
 ///   rounding makes of the distances. So a lamp in the plane of a ceiling shines, whichever comes first in the file.
 ///   All are compared with the nearest alone, so that the order in which hits are found does not matter: a surface that
-///   emits and is coincident with the nearest is seen, even if another lies between the two. A path leaves a clear solid
-///   before it meets what the solid stands on, as if there were a gap; but between two clear solids there is none, and
-///   it enters the one before it leaves the other.
+///   emits and is coincident with the nearest is seen, even if another lies between the two. A path leaves a clear
+///   solid before it meets what the solid stands on, as if there were a gap; but between two clear solids there is
+///   none, and it enters the one before it leaves the other.
 namespace ray {
 
 /// Whether a crossing near the start of `ray`, whose t_min is below 0, is ahead of the path: always where nothing is

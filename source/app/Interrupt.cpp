@@ -29,10 +29,8 @@ struct StopSignalKind {
   const char* name;
   bool is_urgent;
 };
-constexpr StopSignalKind stop_signals[]{{SIGHUP, "SIGHUP", false},
-                                        {SIGXCPU, "SIGXCPU", false},
-                                        {SIGINT, "SIGINT", true},
-                                        {SIGTERM, "SIGTERM", true}};
+constexpr StopSignalKind stop_signals[]{
+    {SIGHUP, "SIGHUP", false}, {SIGXCPU, "SIGXCPU", false}, {SIGINT, "SIGINT", true}, {SIGTERM, "SIGTERM", true}};
 
 template <bool is_urgent>
 void OnInterrupt(int signal) {

@@ -13,8 +13,8 @@
 #include "source/app/report/Advice.h"
 #include "source/app/report/Check.h"
 #include "source/app/report/Info.h"
-#include "source/app/report/Resources.h"
 #include "source/app/report/Messages.h"
+#include "source/app/report/Resources.h"
 #include "source/render/PixelTrace.h"
 #include "source/text/Words.h"
 

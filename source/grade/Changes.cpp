@@ -97,8 +97,9 @@ Scene Copied(const Scene& scene) {
                has_default_lights, is_mirrored, shadow_bias, settings, files] = scene;
   std::vector<std::unique_ptr<const Light>> same_lights;
   for (const auto& light : lights) same_lights.push_back(Made(light->MadeFrom()));
-  return {Copied(root), materials,          std::move(same_lights), camera,      background,  ambient, environment,
-          has_default_camera, has_default_lights, is_mirrored, shadow_bias, settings, files};
+  return {Copied(root), materials,          std::move(same_lights), camera,      background,  ambient,
+          environment,  has_default_camera, has_default_lights,     is_mirrored, shadow_bias, settings,
+          files};
 }
 
 void ChangeMaterials(Scene& scene, const std::function<void(Material&)>& change) {

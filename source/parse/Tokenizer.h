@@ -21,8 +21,8 @@ class Tokenizer {
   enum class Joints { none, backslash };
 
   /// Whether a word that begins with a quote goes on to the next one on its line, blanks and all; behind a backslash a
-  /// quote is a letter of it. The word's text has its quotes. A formula in parentheses, which ends on its line, is one word as
-  /// well.
+  /// quote is a letter of it. The word's text has its quotes. A formula in parentheses, which ends on its line, is one
+  /// word as well.
   enum class Quotes { none, names };
 
   /// `text` must outlive the tokenizer and its tokens, and so must `variables`, whose values take the place of words

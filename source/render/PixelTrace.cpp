@@ -173,7 +173,8 @@ std::string RayTree(const PixelTrace& trace, const World& world, const RenderSet
          (ShowsCosts(settings.mode) ? ", a cost of rays that contribute light" : "") +
          (trace.samples.size() > 1 ? ", the mean of " + std::to_string(trace.samples.size()) + " samples" : "") +
          (is_left_out ? ", left out by -samples: the image shows what pixels around it see" : "") + "\n" +
-         (world.scene().is_mirrored ? "in the right-handed world of raypro: each z is the negative of the file's\n" : "") +
+         (world.scene().is_mirrored ? "in the right-handed world of raypro: each z is the negative of the file's\n"
+                                    : "") +
          TreeWriter(trace, world, most_rays, digits).Write();
 }
 

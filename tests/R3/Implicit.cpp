@@ -104,9 +104,16 @@ TEST(Implicit, ARayThatLiesInItsSurfaceEnds) {
 
 // Each of these once kept a ray for ever.
 TEST(Implicit, E10_RaysThatStartOnTheirSurfaceEnd) {
-  const char* through_origin[] = {"y", "-y", "y^3", "y exp(x)", "sin(y)", "y (x^2 + 1) / 3", "y + x^2 z^2 0",
+  const char* through_origin[] = {"y",
+                                  "-y",
+                                  "y^3",
+                                  "y exp(x)",
+                                  "sin(y)",
+                                  "y (x^2 + 1) / 3",
+                                  "y + x^2 z^2 0",
                                   "sin(4 x) cos(4 y) + sin(4 y) cos(4 z) + sin(4 z) cos(4 x)",
-                                  "y - 0.3 sin(3 x) sin(3 z)", "x^2 + y^2 + z^2 - y"};
+                                  "y - 0.3 sin(3 x) sin(3 z)",
+                                  "x^2 + y^2 + z^2 - y"};
   Draw draw(71);
   for (const char* formula : through_origin) {
     const Implicit solid = SolidOf(formula);
@@ -123,8 +130,8 @@ TEST(Implicit, E10_RaysThatStartOnTheirSurfaceEnd) {
 
 TEST(Implicit, B13_WhereAFormulaIsZeroIsSolid) {
   ExpectTheSame(SolidOf("max(x^2 + y^2 + z^2 - 2, 0)"), *MakeShape("sphere", {0, 0, 0, std::sqrt(2.0)}));
-  ExpectTheSame(SolidOf("abs(x) + x + max(abs(y) - 1, 0) + max(abs(z) - 1, 0)"), *MakeShape("box", {-2, -1, -1, 0, 1, 1}),
-                Count(300, 30'000));
+  ExpectTheSame(SolidOf("abs(x) + x + max(abs(y) - 1, 0) + max(abs(z) - 1, 0)"),
+                *MakeShape("box", {-2, -1, -1, 0, 1, 1}), Count(300, 30'000));
   ExpectTheSame(SolidOf("0", {{-1, -1, -1}, {1, 1.5, 1}}), *MakeShape("box", {-1, -1, -1, 1, 1.5, 1}));
 }
 

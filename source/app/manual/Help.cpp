@@ -168,7 +168,8 @@ const ProgramText& TextOf(Program program) {
       .description =
           "Renders a scene file; the extensions choose the formats (raypro -list). The name - is standard input as a "
           "scene,\n"
-          "in .scn, and standard output as an image, in PNG. A scene or a mesh that is named alone is rendered to a PNG "
+          "in .scn, and standard output as an image, in PNG. A scene or a mesh that is named alone is rendered to a "
+          "PNG "
           "of\nits name beside it.\n",
       .examples =
           "  raypro scenes/hello.scn hello.jpg -width 512 -height 512 -samples 16\n"
@@ -183,8 +184,7 @@ const ProgramText& TextOf(Program program) {
           {"2", "Wrong arguments."},
           {"3", bad_scene},
           {"4", "The image cannot be written."},
-          {"129, 130, 143, 152",
-           "Stopped by SIGHUP, SIGINT, SIGTERM or SIGXCPU; the image so far is saved."}}};
+          {"129, 130, 143, 152", "Stopped by SIGHUP, SIGINT, SIGTERM or SIGXCPU; the image so far is saved."}}};
   static const ProgramText of_rayview{
       .names = "scene",
       .summary = "view a scene, and ray trace the view",

@@ -124,8 +124,7 @@ void NamePictureOfLoneScene(Options& options) {
   if (!is_alone || !(is_mesh || IsScene(scene)) || ExtensionOf(scene) == ".txt") return;
   options.files.picture = std::filesystem::path(scene).replace_extension(".png").string();
   std::error_code ignored;
-  if (is_mesh && std::filesystem::exists(options.files.picture, ignored) &&
-      !IsOfRaypro(options.files.picture))
+  if (is_mesh && std::filesystem::exists(options.files.picture, ignored) && !IsOfRaypro(options.files.picture))
     throw UsageError(Quoted(options.files.picture) +
                      " exists and may be a texture of the mesh; name the image: raypro " +
                      ShellLine(std::vector<std::string>{scene, "out.png"}));

@@ -105,15 +105,15 @@ class Advisor {
         options_(WithTarget(options)),
         has_target_(options.render.budget.error.has_value()),
         target_(*options_.render.budget.error),
-        seconds_beside_(seconds_to_start + SecondsToFinish(options_.render, EncoderOf(PictureName(options),
-                                                                                      options.encoding))) {
+        seconds_beside_(seconds_to_start +
+                        SecondsToFinish(options_.render, EncoderOf(PictureName(options), options.encoding))) {
     // The time of a few squares decides how many are probed, to twice as many samples.
     const PixelRectangle image = RegionOf(options_.render);
     const auto few = SquaresToProbe(image, square_side, 4);
     const double seconds = 2 * ProbeToError(world_, accelerator_, options_.render, few, 0).passes.back().seconds;
     const auto area = static_cast<double>(image.Area());
-    const double count = std::clamp(seconds_a_probe / seconds * area / (square_side * square_side),
-                                    1.0 * least_squares, 1.0 * most_squares);
+    const double count = std::clamp(seconds_a_probe / seconds * area / (square_side * square_side), 1.0 * least_squares,
+                                    1.0 * most_squares);
     has_time_for_all_ = seconds < seconds_a_probe;
     // A power of two, so that machines of similar speed probe the same squares.
     const std::size_t some_squares = std::bit_floor(static_cast<std::size_t>(count));

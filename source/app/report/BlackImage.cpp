@@ -29,9 +29,10 @@ RenderSettings Small(const RenderSettings& settings) {
 
 /// A summary of what the camera rays of a small image hit.
 struct Views {
-  std::size_t rays = 0, backs = 0, black = 0;  // all; that hit the back of a surface; that hit one that reflects nothing
-  std::vector<double> distances;               // of those that hit, along the viewing direction
-  bool meets_removed_back = false;             // a ray would hit a one-sided surface from behind
+  std::size_t rays = 0, backs = 0,
+              black = 0;            // all; that hit the back of a surface; that hit one that reflects nothing
+  std::vector<double> distances;    // of those that hit, along the viewing direction
+  bool meets_removed_back = false;  // a ray would hit a one-sided surface from behind
 };
 
 /// True if the ray hits the back of a one-sided surface, which it does not see.

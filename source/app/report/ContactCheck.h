@@ -13,8 +13,8 @@ namespace ray {
 std::vector<std::string> PlainContactMistakes(const World& world, const Accelerator& accelerator,
                                               const RenderSettings& settings);
 
-/// Returns what -check reports of surfaces and solids that touch: the same, with 4,224 rays; and clear meshes with holes,
-/// and clear solids that claim the same place without a priority or that a higher priority hides.
+/// Returns what -check reports of surfaces and solids that touch: the same, with 4,224 rays; and clear meshes with
+/// holes, and clear solids that claim the same place without a priority or that a higher priority hides.
 std::vector<std::string> ContactMistakes(const World& world, const RenderSettings& settings);
 
 }  // namespace ray

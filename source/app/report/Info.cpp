@@ -71,8 +71,8 @@ R2::DecodedImage ReadPicture(const std::string& file) {
 }
 
 std::string PictureText(const std::string& file, const R2::ImageHeader& picture) {
-  std::string text = Escaped(file == standard_stream ? standard_input_name : file) + ": " + picture.format->name + ", " + std::to_string(picture.size.width) + "x" +
-                     std::to_string(picture.size.height) + "\n";
+  std::string text = Escaped(file == standard_stream ? standard_input_name : file) + ": " + picture.format->name +
+                     ", " + std::to_string(picture.size.width) + "x" + std::to_string(picture.size.height) + "\n";
   for (const auto& [key, value] : picture.settings) text += Escaped(key) + ": " + Escaped(value) + "\n";
   return text;
 }

@@ -218,8 +218,8 @@ std::vector<std::string> LampMistakes(const World& world, const RenderSettings& 
   AddMeshesOfLamps(mistakes, world, settings);
   if (settings.trace.emission == Emission::color) return mistakes;  // then the modes are alike
   if (const std::string difference = DifferenceOfModes(world, settings); !difference.empty())
-    mistakes.push_back(PlaceOf(world, *std::ranges::find_if(world.Instances(), &Instance::Emits)) + ": warning: " +
-                       difference);
+    mistakes.push_back(PlaceOf(world, *std::ranges::find_if(world.Instances(), &Instance::Emits)) +
+                       ": warning: " + difference);
   return mistakes;
 }
 

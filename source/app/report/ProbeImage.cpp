@@ -191,8 +191,7 @@ std::vector<PixelRectangle> SquaresToProbe(const PixelRectangle& image, int side
   const PixelRectangle blocks{up(image.x0), up(image.y0), down(image.x1), down(image.y1)};  // whole ones
   constexpr double hardly_more = 1.5;
   const int columns = blocks.Width() / side, rows = blocks.Height() / side;
-  if (columns < 1 || rows < 1 || columns * rows <= hardly_more * static_cast<double>(most))
-    return {image};
+  if (columns < 1 || rows < 1 || columns * rows <= hardly_more * static_cast<double>(most)) return {image};
   const double step_x = 0.7548776662466927, step_y = 0.5698402909980532;
   std::vector<PixelRectangle> squares;
   const std::size_t tries = 4 * most;  // small images repeat theirs

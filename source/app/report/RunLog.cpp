@@ -176,10 +176,10 @@ void RunLog::Rendered(const World& world, const Accelerator& accelerator, const 
         ErrorText(result.error->high, result.error->unit));
   constexpr double share_to_report = 0.02;
   if (result.share_cut > share_to_report)
-    Hint("raypro: warning: " + Rounded(100 * result.share_cut, 2) + "% of the light ended at " +
-         LimitsOfLight(stats_) + "; the image is about that much too dark");
-  if (ShowsLight(render.mode) && !render.crop && result.IsComplete() && !world.Instances().empty() &&
-      IsLit(world) && IsWhollyBlack(result.image))
+    Hint("raypro: warning: " + Rounded(100 * result.share_cut, 2) + "% of the light ended at " + LimitsOfLight(stats_) +
+         "; the image is about that much too dark");
+  if (ShowsLight(render.mode) && !render.crop && result.IsComplete() && !world.Instances().empty() && IsLit(world) &&
+      IsWhollyBlack(result.image))
     Hint("raypro: warning: the image is black; " + WhyBlack(world, accelerator, render));
   if (result.rays.cut > 0)
     Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were terminated; a camera ray may have at most " +

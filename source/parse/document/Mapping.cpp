@@ -278,10 +278,10 @@ void Mapping::Finish() {
   for (const Entry* entry : unknown) {
     const std::vector<std::string> choices(known_.begin(), known_.end());
     const std::string look_alike = LookAlikeHint(entry->key);
-    report_->WarnOnce(what_ + " " + entry->key, entry->key_extent,
-                      "unknown key " + Quoted(entry->key) + " in " + what_ + " is ignored" +
-                          (look_alike.empty() ? DidYouMean(entry->key.substr(0, most_quoted), choices)
-                                              : "; " + look_alike));
+    report_->WarnOnce(
+        what_ + " " + entry->key, entry->key_extent,
+        "unknown key " + Quoted(entry->key) + " in " + what_ + " is ignored" +
+            (look_alike.empty() ? DidYouMean(entry->key.substr(0, most_quoted), choices) : "; " + look_alike));
   }
 }
 

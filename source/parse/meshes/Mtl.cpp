@@ -22,11 +22,11 @@ struct MapOption {
 };
 
 constexpr std::array map_options{
-    MapOption{"-s", false, 1, 3},         MapOption{"-o", false, 1, 3},       MapOption{"-t", false, 1, 3},
-    MapOption{"-bm", false, 1, 1},        MapOption{"-mm", false, 2, 2},      MapOption{"-texres", false, 1, 1},
-    MapOption{"-boost", false, 1, 1},     MapOption{"-clamp", true, 1, 1},    MapOption{"-blendu", true, 1, 1},
-    MapOption{"-blendv", true, 1, 1},     MapOption{"-cc", true, 1, 1},       MapOption{"-imfchan", true, 1, 1},
-    MapOption{"-type", true, 1, 1},       MapOption{"-colorspace", true, 1, 1},
+    MapOption{"-s", false, 1, 3},     MapOption{"-o", false, 1, 3},         MapOption{"-t", false, 1, 3},
+    MapOption{"-bm", false, 1, 1},    MapOption{"-mm", false, 2, 2},        MapOption{"-texres", false, 1, 1},
+    MapOption{"-boost", false, 1, 1}, MapOption{"-clamp", true, 1, 1},      MapOption{"-blendu", true, 1, 1},
+    MapOption{"-blendv", true, 1, 1}, MapOption{"-cc", true, 1, 1},         MapOption{"-imfchan", true, 1, 1},
+    MapOption{"-type", true, 1, 1},   MapOption{"-colorspace", true, 1, 1},
 };
 
 const MapOption* OptionNamed(std::string_view name) {

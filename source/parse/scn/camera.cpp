@@ -67,8 +67,7 @@ std::optional<AimedCamera> ReadLookingAt(Statement& statement) {
 }
 
 void ReadCamera(ScnReader& reader, Statement& statement) {
-  if (reader.ReplacesCamera())
-    reader.Warn(statement, "the scene has a camera already; the last one counts");
+  if (reader.ReplacesCamera()) reader.Warn(statement, "the scene has a camera already; the last one counts");
   auto aimed = statement.Takes("look_at") ? ReadLookingAt(statement) : ReadDirected(statement);
   if (!aimed) return;
   if (aimed->up_was_replaced)

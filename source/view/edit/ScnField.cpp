@@ -114,8 +114,8 @@ std::vector<ScnField> FieldsOfGroup(const std::vector<ScnWord>& words) {
   constexpr std::size_t placement = 2, entries = 16;  // its first word, and the numbers of a matrix
   const bool is_translation = words.size() > placement + 3 && words[placement].text == "translate";
   if (is_translation) return {{"position", Kind::point, {placement + 1, placement + 2, placement + 3}, {}, {}}};
-  const bool is_matrix = words.size() >= placement + entries && (!ParseNumber(words[placement].text).problem ||
-                                                                 !WhyComputed(words[placement].text).empty());
+  const bool is_matrix = words.size() >= placement + entries &&
+                         (!ParseNumber(words[placement].text).problem || !WhyComputed(words[placement].text).empty());
   if (is_matrix) return {{"position", Kind::point, {placement + 3, placement + 7, placement + 11}, {}, {}}};
   return {};
 }

@@ -139,8 +139,7 @@ TEST(Farm, NamesOfImagesAreNeverPatterns) {
     const std::string expected = ReadFile(place / name);
     std::filesystem::remove(place / name);
     WriteFile(place / "shot1.png.part-1-of-3", "a part of another image");
-    for (int i = 1; i <= 3; ++i)
-      EXPECT_EQ(place.Run(name, {"-part", std::to_string(i) + "/3"}).status, 0) << name;
+    for (int i = 1; i <= 3; ++i) EXPECT_EQ(place.Run(name, {"-part", std::to_string(i) + "/3"}).status, 0) << name;
     const Finished missing = place.Run(name, {"-missing", "3"});
     EXPECT_EQ(missing.output + missing.error, "") << name;
     // Of a part that is not found, the samples would be rendered again.

@@ -145,9 +145,8 @@ TEST(ParallelScript, NamesAreNeverPatterns) {
   for (const std::string name : {"shot[1].png", "s{}h{1}{.}.png", "a\\nb\\\\.png", "a *b?.png"}) {
     const TemporaryFolder place;
     WriteFile(place / "in {} [1].scn", testing::small_scene);
-    const Ended ended = RunScript(
-        place, "farm/parallel.sh",
-        "-parts 3 'in {} [1].scn' '" + name + "' -width 16 -height 12 -samples 2");
+    const Ended ended =
+        RunScript(place, "farm/parallel.sh", "-parts 3 'in {} [1].scn' '" + name + "' -width 16 -height 12 -samples 2");
     EXPECT_EQ(ended.status, 0) << name << ended.said;
     EXPECT_EQ(place.Others({"in {} [1].scn", "said", name}), testing::nothing);
     EXPECT_EQ(testing::Decode(place / name).image.Width(), 16) << name;
@@ -249,8 +248,7 @@ TEST(MovieScript, NamesAreNeverPatterns) {
   WriteFile(place / folder + "/" + name, moving);
   WriteFile(place / "name", folder + "/" + name);
   const Ended ended = RunScript(
-      place, "movie.sh",
-      "-define t 0 1 -turntable -frames 2 -width 16 -height 12 \"$(cat name)\" 'o[1] %d.avi'");
+      place, "movie.sh", "-define t 0 1 -turntable -frames 2 -width 16 -height 12 \"$(cat name)\" 'o[1] %d.avi'");
   EXPECT_EQ(ended.status, 0) << ended.said;
   EXPECT_TRUE(std::filesystem::exists(place / "o[1] %d.avi")) << ended.said;
 }

@@ -398,9 +398,9 @@ TEST(Models, LibrariesAreFoundAsExportersNameThem) {
     EXPECT_TRUE(WarningsOf(folder, "a.obj").empty()) << WarningsOf(folder, "a.obj")[0];
     EXPECT_EQ(MaterialsOf(folder, "a.obj").at(0).kd, (R2::Color{0.75, 0, 0})) << statements;
   };
-  for (const char* name : {"x.mtl", ".\\x.mtl", "parts\\x.mtl", "parts\\deep\\my x.mtl", "my x.mtl", "a #1.mtl",
-                           "x.mtl # from the catalogue", "parts\\x.mtl\t# 7", "my x.mtl # x", "y.mtl .\\x.mtl # both",
-                           "x.mtl x.mtl"})
+  for (const char* name :
+       {"x.mtl", ".\\x.mtl", "parts\\x.mtl", "parts\\deep\\my x.mtl", "my x.mtl", "a #1.mtl",
+        "x.mtl # from the catalogue", "parts\\x.mtl\t# 7", "my x.mtl # x", "y.mtl .\\x.mtl # both", "x.mtl x.mtl"})
     finds("mtllib " + std::string(name) + "\n");
   finds("mtllib x.mtl\nmtllib x.mtl\nmtllib .\\x.mtl\nmtllib ./x.mtl\n");
   folder.Write("a.obj", "mtllib none.mtl\nmtllib none.mtl\n" + one_face);
@@ -502,9 +502,8 @@ TEST(Models, OfPlyHaveTheColorsOfTheirFaces) {
   ASSERT_EQ(data.triangles.size(), 3u);
   EXPECT_EQ(data.positions.size(), 7u) << "one for each place and color";
   const std::array<std::array<float, 3>, 3> expected{{{1, 0, 0}, {0, 0, 1}, {1, 0, 0}}};
-  const std::array<std::array<R3::Point, 3>, 3> corners{{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
-                                                         {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
-                                                         {{{0, 1, 0}, {1, 1, 0}, {1, 0, 0}}}}};
+  const std::array<std::array<R3::Point, 3>, 3> corners{
+      {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}, {{{0, 1, 0}, {1, 1, 0}, {1, 0, 0}}}}};
   for (std::size_t t = 0; t < 3; ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t vertex = data.triangles[t][k];

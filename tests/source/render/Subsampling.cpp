@@ -105,7 +105,8 @@ TEST(Subsampling, PartsAndResumedRendersAreTheSameBytes) {
 TEST(Subsampling, LayersAreTracedInEveryPixel) {
   NEEDS_THE_PROGRAM();
   const SceneFolder folder;
-  const std::vector<std::string> request{folder.Scene(), folder / "all.pfm", "-width", "40", "-height", "30",
+  const std::vector<std::string> request{folder.Scene(), folder / "all.pfm", "-width",
+                                         "40",           "-height",          "30",
                                          "-quiet",       "-layers",          "depth,normal,uv,albedo,id"};
   ASSERT_EQ(RunProgram(request).status, 0);
   auto some = With(request, {"-samples", "1/16"});
@@ -119,9 +120,9 @@ TEST(Subsampling, LayersAreTracedInEveryPixel) {
 TEST(Subsampling, G9_PixelsBeyondFloatsAreStoredAsTheLargest) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
-  const std::string scene =
-      WriteFile(folder / "a.scn", "camera 0 0 5  0 0 -1  0 1 0  .3 .01 100\n"
-                                  "material 0 0 0  0 0 0  0 0 0  0 0 0  1e300 1e39 1  1 1 0\nsphere 0  0 0 0  1\n");
+  const std::string scene = WriteFile(folder / "a.scn",
+                                      "camera 0 0 5  0 0 -1  0 1 0  .3 .01 100\n"
+                                      "material 0 0 0  0 0 0  0 0 0  0 0 0  1e300 1e39 1  1 1 0\nsphere 0  0 0 0  1\n");
   for (const char* samples : {"1", "1/2", "1/4", "1/8", "1/16"}) {
     ASSERT_EQ(RunProgram({scene, folder / "a.pfm", "-width", "16", "-height", "16", "-samples", samples}).status, 0);
     const R2::Image image = Decode(folder / "a.pfm").image;

@@ -172,8 +172,7 @@ void Cs315Reader::ReadSurface(const Field& field) {
   if (const auto transforms = surface.Find({"transforms"})) transform = ReadTransforms(*transforms);
   const R3::Vector way = exposure_time_ * surface.Vector({"velocity"}).value_or(R3::Vector{});
   if (*name == "csg")
-    return objects_.AddCsg(surface, "surfaces", transform, way, used,
-                           [this](const Field& part) { ReadSurface(part); });
+    return objects_.AddCsg(surface, "surfaces", transform, way, used, [this](const Field& part) { ReadSurface(part); });
   const Material& look = Made().materials[static_cast<std::size_t>(used)];
   const bool has_texture = look.texture || look.bump || look.normal_map;
   auto placed = ReadShape(*name, surface, has_texture);

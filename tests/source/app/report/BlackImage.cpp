@@ -13,9 +13,10 @@ using testing::Has;
 const std::string white_wall = "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1 1 0 ",
                   lamp_within = "point_light 1 1 1  0 0 0  1 0 0 ",
                   eye_outside = "camera 0 0 9  0 0 -1  0 1 0  .3 .01 100 ",
-                  walls = "quad 0 -2 -2 2  2 -2 2  2 2 2  -2 2 2  quad 0 -2 -2 -2  2 -2 -2  2 2 -2  -2 2 -2 "
-                          "quad 0 -2 -2 -2  -2 -2 2  -2 2 2  -2 2 -2  quad 0 2 -2 -2  2 -2 2  2 2 2  2 2 -2 "
-                          "quad 0 -2 -2 -2  2 -2 -2  2 -2 2  -2 -2 2  quad 0 -2 2 -2  2 2 -2  2 2 2  -2 2 2 ";
+                  walls =
+                      "quad 0 -2 -2 2  2 -2 2  2 2 2  -2 2 2  quad 0 -2 -2 -2  2 -2 -2  2 2 -2  -2 2 -2 "
+                      "quad 0 -2 -2 -2  -2 -2 2  -2 2 2  -2 2 -2  quad 0 2 -2 -2  2 -2 2  2 2 2  2 2 -2 "
+                      "quad 0 -2 -2 -2  2 -2 -2  2 -2 2  -2 -2 2  quad 0 -2 2 -2  2 2 -2  2 2 2  -2 2 2 ";
 
 /// The reason that is given, or "lit" if the image is not black.
 std::string Reason(const std::string& text, RenderMode mode = RenderMode::whitted) {
@@ -30,7 +31,8 @@ std::string Reason(const std::string& text, RenderMode mode = RenderMode::whitte
 
 TEST(BlackImage, TheEyeOutsideOfAClosedRoomIsNamed) {
   EXPECT_TRUE(Has(Reason(eye_outside + white_wall + lamp_within + walls), "outside of a closed room"));
-  EXPECT_TRUE(Has(Reason(eye_outside + white_wall + lamp_within + "box 0 -2 -2 -2  2 2 2"), "outside of a closed room"));
+  EXPECT_TRUE(
+      Has(Reason(eye_outside + white_wall + lamp_within + "box 0 -2 -2 -2  2 2 2"), "outside of a closed room"));
   EXPECT_EQ(Reason("camera 0 0 1.9  0 0 -1  0 1 0  .3 .01 100 " + white_wall + lamp_within + walls), "lit");
 }
 
@@ -39,7 +41,8 @@ TEST(BlackImage, ALampThatNothingInViewSeesIsNamed) {
                     eye = "camera 0 0 0  0 -1 0  0 0 1  .3 .01 100 ";
   EXPECT_TRUE(Has(Reason(eye + white_wall + above + floor + "quad 0 -9 4 -9  9 4 -9  9 4 9  -9 4 9"), "is in shadow"));
   EXPECT_EQ(Reason(eye + white_wall + above + floor), "lit");
-  EXPECT_TRUE(Has(Reason(eye + white_wall + "point_light 1 1 1  0 -9 0  1 0 0 " + floor), "from behind, and the lights"));
+  EXPECT_TRUE(
+      Has(Reason(eye + white_wall + "point_light 1 1 1  0 -9 0  1 0 0 " + floor), "from behind, and the lights"));
 }
 
 TEST(BlackImage, FacesThatAreTurnedAwayAreNamed) {

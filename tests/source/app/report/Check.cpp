@@ -209,7 +209,8 @@ TEST(Check, EveryRenderHintsAtLampsCoincidentSurfacesAndEnclosedLights) {
                     floor = "quad 0 -9 -1 -9  9 -1 -9  9 -1 9  -9 -1 9\n",
                     lamp = "quad 1 -.1 3 -.1  .1 3 -.1  .1 3 .1  -.1 3 .1\n";
   const std::string room = hints(white + glowing + floor + lamp);
-  EXPECT_TRUE(Has(room, "example.scn:5:1: warning: the scene has no lights: in mode whitted two default lights")) << room;
+  EXPECT_TRUE(Has(room, "example.scn:5:1: warning: the scene has no lights: in mode whitted two default lights"))
+      << room;
   EXPECT_EQ(hints(white + glowing + floor + lamp, Of(RenderMode::path)), "");
   RenderSettings solids;
   solids.trace.emissive_solids_light = true;

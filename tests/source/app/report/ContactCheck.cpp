@@ -46,7 +46,8 @@ TEST(ContactCheck, PointsOutTheSameShapeOfAnotherMaterial) {
   EXPECT_TRUE(Has(Mistakes(matte + matte + two_balls), "example.scn:5:1: warning: this shape is the same as that of "));
   EXPECT_EQ(Mistakes(matte + "sphere 0 0 0 0 1\nsphere 0 0 0 0 1\n"), "");
   const std::string glowing = "material 0 0 0  0 0 0  0 0 0  0 0 0  3 3 3  1 1 0\n";
-  EXPECT_TRUE(Has(Mistakes(matte + glowing + two_balls), "example.scn:4:1: warning: this shape is the same as that of "));
+  EXPECT_TRUE(
+      Has(Mistakes(matte + glowing + two_balls), "example.scn:4:1: warning: this shape is the same as that of "));
 }
 
 TEST(ContactCheck, LetsGlassStandOnAFloor) {
@@ -61,7 +62,8 @@ TEST(ContactCheck, PointsOutALightThatNothingSees) {
 }
 
 TEST(ContactCheck, PointsOutALightInAClosedMesh) {
-  const std::string tetrahedron = "OFF\n4 4 6\n-1 -1 -1\n3 -1 -1\n-1 3 -1\n-1 -1 3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
+  const std::string tetrahedron =
+                        "OFF\n4 4 6\n-1 -1 -1\n3 -1 -1\n-1 3 -1\n-1 -1 3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
                     scene = matte + "point_light 1 1 1  0 0 0  1 0 0 mesh 0 mesh.off\n";
   EXPECT_TRUE(Has(Mistakes(scene, tetrahedron), "inside a shape that no light leaves"));
   EXPECT_EQ(Mistakes(scene, "OFF\n4 3 6\n-1 -1 -1\n3 -1 -1\n-1 3 -1\n-1 -1 3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n"), "");

@@ -36,9 +36,10 @@ const std::string half_a_unit = "tri 0  0 10 0  1 10 0  0 10 1 ";
 
 TEST(LampCheck, ModePathWeakensLampsByTheirSolidAngle) {
   // A / (pi d^2), a tenth of a percent less for the corners that are farther away.
-  const std::string said = "scene.scn:1:155: warning: lamps light the scene about 630 times as strongly in mode whitted, "
-                           "where each has its full color at any size and distance, as in mode path, where "
-                           "emission is a radiance; -emission color makes mode path agree with whitted\n";
+  const std::string said =
+      "scene.scn:1:155: warning: lamps light the scene about 630 times as strongly in mode whitted, "
+      "where each has its full color at any size and distance, as in mode path, where "
+      "emission is a radiance; -emission color makes mode path agree with whitted\n";
   for (const RenderSettings& settings : {whitted, path}) {
     const std::string found = SaidOf(lamps_alone + grain + half_a_unit, settings);
     EXPECT_TRUE(Has(found, said)) << found;

@@ -106,8 +106,7 @@ TEST(ProbeDenoised, OfTheWholeImageLeavesWhatTheRenderDoes) {
   const Subject subject;
   const ErrorTarget target{1.2, ErrorUnit::display};
   RenderSettings settings = Settings(56, 44, target);
-  const Probe probe =
-      ProbeDenoised(subject.world, *subject.accelerator, settings, {PixelRectangle{0, 0, 56, 44}}, 1e9);
+  const Probe probe = ProbeDenoised(subject.world, *subject.accelerator, settings, {PixelRectangle{0, 0, 56, 44}}, 1e9);
   ASSERT_EQ(probe.stop, Stop::error);
   settings.budget = {};
   settings.denoise = true;

@@ -74,12 +74,13 @@ TEST(Arithmetic, RandomFormulasHaveTheirValues) {
 
 TEST(Arithmetic, StandsWhereverANumberStands) {
   const Scene scene =
-      ParseText("define day 30\ndefine turn ($day * 12 + 30)\nset samples (2 ^ 4)\nset max_depth ($day/10)\n"
-                "camera 0 0 (3 * 3)  0 0 -1  0 1 0  (pi / 8) .01 100\n"
-                "material (1/4) 0 0  0 0 0  0 0 0  0 0 0  0 0 0  (10+10) 1 0\n"
-                "point_light 1 1 1  0 (sqrt(16)) 0  1 0 0\n"
-                "begin (1-1) rotate $turn 0 1 0 translate 0 ( 1 + 1 ) 0\nsphere (0) (min(2, 3)) 0 0 (1/3)# a comment\n"
-                "end\n")
+      ParseText(
+          "define day 30\ndefine turn ($day * 12 + 30)\nset samples (2 ^ 4)\nset max_depth ($day/10)\n"
+          "camera 0 0 (3 * 3)  0 0 -1  0 1 0  (pi / 8) .01 100\n"
+          "material (1/4) 0 0  0 0 0  0 0 0  0 0 0  0 0 0  (10+10) 1 0\n"
+          "point_light 1 1 1  0 (sqrt(16)) 0  1 0 0\n"
+          "begin (1-1) rotate $turn 0 1 0 translate 0 ( 1 + 1 ) 0\nsphere (0) (min(2, 3)) 0 0 (1/3)# a comment\n"
+          "end\n")
           .scene;
   EXPECT_EQ(scene.settings.at(0).value, "16");
   EXPECT_EQ(scene.settings.at(1).value, "3");
@@ -104,8 +105,9 @@ TEST(Arithmetic, TheCommandLineMayDefineAFormula) {
 
 TEST(Arithmetic, AConvertedSceneHasTheNumbers) {
   const Folder folder;
-  const std::string text = "define r (2/3)\nmaterial ($r) 0 0  0 0 0  0 0 0  0 0 0  0 0 0  1 1 0\nsphere 0 (-$r) (sin(1)) 0 "
-                           "($r $r)\n";
+  const std::string text =
+      "define r (2/3)\nmaterial ($r) 0 0  0 0 0  0 0 0  0 0 0  0 0 0  1 1 0\nsphere 0 (-$r) (sin(1)) 0 "
+      "($r $r)\n";
   const ParsedScene once = Parse(folder.Write("a.scn", text), {});
   const std::string converted = WriteScn(once.scene, folder / "b.scn").text;
   const ParsedScene again = Parse(folder.Write("b.scn", converted), {});

@@ -94,8 +94,11 @@ TEST(Cs315, TheCamerasExposureTimeSaysHowLongTheyMove) {
   const auto way_in = [](const std::string& time) {
     std::string view = camera;
     view.insert(view.size() - 1, ", 'exposureTime': " + time);
-    const Scene scene = Cs315("'materials': [{}], 'surfaces': [{'shape': 'Sphere', 'center': [0, 0, 0], 'radius': 1, "
-                              "'material': 0, 'velocity': [3, 0, -1]}]", view).scene;
+    const Scene scene = Cs315(
+                            "'materials': [{}], 'surfaces': [{'shape': 'Sphere', 'center': [0, 0, 0], 'radius': 1, "
+                            "'material': 0, 'velocity': [3, 0, -1]}]",
+                            view)
+                            .scene;
     return scene.root.children.at(0).motion;
   };
   EXPECT_EQ(way_in("1"), (R3::Vector{3, 0, -1}));
@@ -127,8 +130,9 @@ TEST(Cs315, NormalsOfATrianglesCornersAreBlended) {
 }
 
 TEST(Cs315, NormalsOfATriangleAreAllThereOrNone) {
-  EXPECT_ANY_THROW(WithSurface("{'shape': 'Triangle', 'p1': [0, 0, 0], 'p2': [3, 0, 0], 'p3': [0, 3, 0], "
-                               "'material': 0, 'n0': [0, 0, 1], 'n1': [0, 0, 1]}"));
+  EXPECT_ANY_THROW(
+      WithSurface("{'shape': 'Triangle', 'p1': [0, 0, 0], 'p2': [3, 0, 0], 'p3': [0, 3, 0], "
+                  "'material': 0, 'n0': [0, 0, 1], 'n1': [0, 0, 1]}"));
 }
 
 TEST(Cs315, AFocalDepthAtTheTopCountsAsTheCameras) {
