@@ -44,7 +44,13 @@ inline Box Along(const Box& box, const Vector& way) {
   return all;
 }
 
-/// What two boxes have in common; empty if that is nothing.
+/// Returns the largest magnitude of a coordinate in the box; 0 if it is empty.
+inline double Reach(const Box& box) {
+  if (box.IsEmpty()) return 0;
+  return std::max(MaxComponent(Abs(FromOrigin(box.low))), MaxComponent(Abs(FromOrigin(box.high))));
+}
+
+/// Returns the intersection of two boxes; empty if they do not overlap.
 inline Box Common(const Box& a, const Box& b) {
   return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
           {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};

@@ -50,7 +50,7 @@ class Csg : public Shape {
     Hit hit;
     int element;
   };
-  /// What following a ray from crossing to crossing needs to know of a part.
+  /// The properties of a part that are used while a ray is followed from crossing to crossing.
   struct Link {
     std::uint32_t parent = 0;
     CsgOperation operation = CsgOperation::unite;

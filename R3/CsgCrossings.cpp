@@ -6,8 +6,7 @@
 namespace R3 {
 namespace {
 
-// The most crossings of a ray with one element. The halvings of Implicit tell no more of a formula's apart, and each
-// costs another search.
+// The most crossings of a ray with one element. Implicit divides too few stretches to find more.
 constexpr int most_crossings = 1 << 14;
 
 /// A crossing before it is known how it fits in with the others.

@@ -3,10 +3,6 @@
 namespace R3 {
 namespace {
 
-double ReachOf(const Box& box) {
-  return std::max(MaxComponent(Abs(FromOrigin(box.low))), MaxComponent(Abs(FromOrigin(box.high))));
-}
-
 Box BoundsOf(const CsgPart& part, const Box& in_its_frame) {
   if (in_its_frame.IsEmpty()) return {};
   const Box box = part.csg_from_solid * in_its_frame;
@@ -24,7 +20,7 @@ CsgSolid::CsgSolid(const CsgPart& of, std::uint32_t n)
       is_in_place(of.csg_from_solid.IsIdentity()),
       center(elements.Bounds().Center()),
       radius(elements.Bounds().Radius()),
-      reach(ReachOf(elements.Bounds())),
+      reach(Reach(elements.Bounds())),
       bounds(BoundsOf(of, elements.Bounds())) {}
 
 // A shape's own error is 32 u (D + size), and D is at most twice the largest coordinates. Moving the line into the
@@ -32,7 +28,7 @@ CsgSolid::CsgSolid(const CsgPart& of, std::uint32_t n)
 CsgSolid::Pad CsgSolid::PadOfCrossings() const {
   const Matrix &out = part->csg_from_solid.Forward(), &in = part->csg_from_solid.Inverse();
   const double stretch = MaxRowSum(out), squeeze = MaxRowSum(in);
-  const double in_frame = squeeze * ReachOf(bounds) + MaxTranslation(in) + reach;
+  const double in_frame = squeeze * Reach(bounds) + MaxTranslation(in) + reach;
   constexpr double share = 256 * unit_roundoff;
   return {share * (stretch * in_frame + MaxTranslation(out)), share * stretch * squeeze};
 }

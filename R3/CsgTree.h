@@ -17,8 +17,8 @@ namespace R3 {
 /// The box of a part is tight by operation. A place outside of it is outside of the part, whatever is assumed about the
 /// solids within: it is outside of all parts of a union, of one part of an intersection, of the first of a difference.
 /// So a solid matters only in places that are in its own box and in the boxes of all parts around it. If the ray has no
-/// such place between t_min and t_max, the solid can be left out without changing a hit between them. The rest of an
-/// intersection can be left out if one of its parts is never crossed, the rest of a difference if its first is not.
+/// such place between t_min and t_max, the solid can be skipped without changing a hit between them. The rest of an
+/// intersection can be skipped if one of its parts is never crossed, the rest of a difference if its first is not.
 class CsgTree {
  public:
   CsgTree() = default;

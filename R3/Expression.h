@@ -28,7 +28,7 @@ struct Slope {
   Slope(const Number& v, const Number& s) : value(v), slope(s) {}
 };
 
-/// Returns the number that $name stands for in a formula. Throws std::runtime_error, whose text says why there is none.
+/// Returns the number that $name stands for in a formula. If there is none, throws std::runtime_error with the reason.
 using ValueOfName = std::function<double(std::string_view name)>;
 
 /// Returns the value of a formula without x, y and z, in which $name stands for a number: "($day * 12 + 30)". The rest

@@ -306,7 +306,7 @@ Vector Implicit::GradientAt(const Point& p) const {
 /// without a slope, the surface is taken to be the plane through three of its places nearby.
 Vector Implicit::DirectionNear(const Point& p, const Vector& way) const {
   constexpr double least = 4 * unit_roundoff, most = 0x1p-16;  // of the size of the box and its distance
-  const double reach = std::max(MaxComponent(Abs(FromOrigin(box_.low))), MaxComponent(Abs(FromOrigin(box_.high))));
+  const double reach = Reach(box_);
   const Vector unit = Unit(way);
   for (double step = least; step <= most; step *= 4)
     for (const double side : {-1.0, 1.0}) {

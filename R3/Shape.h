@@ -66,7 +66,7 @@ class Shape {
 
   /// The surface at a hit that Intersect returned for the same ray and element.
   virtual Intersection At(const Ray& ray, const Hit& hit, int element) const = 0;
-  /// Returns what At returns, but for texture coordinates and ends of v, in less time.
+  /// Returns what At returns except texture coordinates and ends of v, in less time.
   virtual Intersection PlaceAt(const Ray& ray, const Hit& hit, int element) const { return At(ray, hit, element); }
 
   /// How the texture coordinates of At run over the surface there; only bump and normal maps ask for it. Tangents are 0

@@ -19,11 +19,6 @@ double Baking(const R3::Transform& frame, double reach_within) {
 
 }  // namespace
 
-double Reach(const R3::Box& box) {
-  if (box.IsEmpty()) return 0;
-  return std::max(MaxComponent(Abs(FromOrigin(box.low))), MaxComponent(Abs(FromOrigin(box.high))));
-}
-
 NodeBoundsPadding WorldBoundsPadding(const R3::Transform& frame, double reach) {
   const NodeBoundsPadding within = SeenFrom(frame, reach), own = SeenFrom({}, reach);
   const double stretch = MaxRowSum(frame.Forward());

@@ -25,7 +25,4 @@ std::vector<NodeBoundsPadding> PaddingOfNodes(const World& world);
 /// Padding of the boxes, in the world, of shapes in a frame; `reach` is the largest coordinate of such a box.
 NodeBoundsPadding WorldBoundsPadding(const R3::Transform& frame, double reach);
 
-/// Largest magnitude of a coordinate in the box; 0 when empty.
-double Reach(const R3::Box& box);
-
 }  // namespace ray

@@ -63,7 +63,8 @@ inline bool IsInTheWay(const World& world, const R3::Ray& ray, const R3::Ray& lo
   return hit && IsInTheWayAt(world, ray, local, instance, element, *hit);
 }
 
-/// The nearest hit so far, by the rule that makes all accelerators agree: smallest t, among equals lowest primitive id.
+/// The nearest hit so far, by a rule that makes all accelerators agree: smallest t, among equals lowest primitive id.
+/// If it may be coincident with others, Contact.h decides which of them is seen.
 /// It is kept where the answer is wanted. Whether others may be coincident with it is noted.
 class NearestHit {
  public:

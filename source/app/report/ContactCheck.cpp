@@ -177,8 +177,7 @@ std::vector<R3::Point> PlacesIn(const R3::Box& box) {
 /// Whether a place inside of both is found where their boxes overlap.
 bool Overlap(const World& world, const Instance& a, const Instance& b) {
   const R3::Box &p = a.bounds, &q = b.bounds;
-  const R3::Box both{{std::max(p.low.x, q.low.x), std::max(p.low.y, q.low.y), std::max(p.low.z, q.low.z)},
-                     {std::min(p.high.x, q.high.x), std::min(p.high.y, q.high.y), std::min(p.high.z, q.high.z)}};
+  const R3::Box both = Common(p, q);
   if (!(both.low.x < both.high.x && both.low.y < both.high.y && both.low.z < both.high.z)) return false;
   return std::ranges::any_of(
       PlacesIn(both), [&](const R3::Point& place) { return Holds(world, a, place) && Holds(world, b, place); });

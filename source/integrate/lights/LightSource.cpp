@@ -188,19 +188,23 @@ void AddLamps(const World& world, const TraceSettings& settings, LightSources& l
     lights.push_back(std::make_unique<LampOfShape>(world, shape));
 }
 
+bool HasEmitters(const World& world) { return std::ranges::any_of(world.Instances(), &Instance::Emits); }
+
+/// The scene's lights that are not black. The default ones are omitted if something else shines.
+std::vector<const Light*> LightsBeside(const World& world, bool something_else_shines) {
+  const Scene& scene = world.scene();
+  return scene.has_default_lights && something_else_shines ? std::vector<const Light*>() : LightsOf(scene);
+}
+
 }  // namespace
 
 std::vector<const Light*> LightsOfPath(const World& world) {
-  const Scene& scene = world.scene();
-  const bool has_environment = scene.environment && !scene.environment->IsBlack();
-  const bool emits = has_environment || std::ranges::any_of(world.Instances(), &Instance::Emits);
-  return scene.has_default_lights && emits ? std::vector<const Light*>() : LightsOf(scene);
+  const auto& environment = world.scene().environment;
+  return LightsBeside(world, HasEmitters(world) || (environment && !environment->IsBlack()));
 }
 
 std::vector<const Light*> LightsOfWhitted(const World& world, const TraceSettings& settings) {
-  const Scene& scene = world.scene();
-  const bool emits = settings.emissive_solids_light && std::ranges::any_of(world.Instances(), &Instance::Emits);
-  return scene.has_default_lights && emits ? std::vector<const Light*>() : LightsOf(scene);
+  return LightsBeside(world, settings.emissive_solids_light && HasEmitters(world));
 }
 
 LightSources LightSourcesOfPath(const World& world, const TraceSettings& settings) {
