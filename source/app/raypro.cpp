@@ -109,12 +109,13 @@ int MakePicture(const Options& asked, const Words& words) {
   if (options.checkpoint.restart) checkpoint->Remove();
   CatchInterrupts();
   const RenderResult result = RenderAndTell(world, *accelerator, options, account, checkpoint.get());
-  account.Rendered(world, *accelerator, result);
+  account.Rendered(result);
   Compare(result, references, options, account);
 
   const auto layers = result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{};
   account.Written(WritePicture(outputs, result, layers, account.stats()).name);
   if (result.IsComplete() && checkpoint) checkpoint->PictureIsFinished(options.checkpoint.keep);
+  account.ExplainIfBlack(world, *accelerator, result.image);
   WriteReport(outputs, account.stats());
   account.Summarize();
   if (!result.IsComplete()) return status::killed_by + StopSignal();

@@ -169,8 +169,7 @@ const ProgramText& TextOf(Program program) {
           "Renders a scene file; the extensions choose the formats (raypro -list). The name - is standard input as a "
           "scene,\n"
           "in .scn, and standard output as an image, in PNG. A scene or a mesh that is named alone is rendered to a "
-          "PNG "
-          "of\nits name beside it.\n",
+          "PNG of\nits name beside it.\n",
       .examples =
           "  raypro scenes/hello.scn hello.jpg -width 512 -height 512 -samples 16\n"
           "  raypro scenes/hello.scn part.png -crop 100 100 160 140 -bits 16\n"

@@ -50,9 +50,8 @@ constexpr const char* lexical =
     "quotes, as in "
     "\"my wood.png\"; \\\" is a quote in it, \\\\ a backslash, \\n the end of a line.\n"
     "A formula in parentheses, which ends on its line, stands for a number: (1/3), ($day * 12 + 30) with the value of "
-    "a "
-    "variable that define has named. It has pi, + - * /, ^ with whole exponents up to 64, sin, cos and tan of radians, "
-    "exp, log, sqrt, abs, min and max.\n"
+    "a variable that define has named. It has pi, + - * /, ^ with whole exponents up to 64, sin, cos and tan of "
+    "radians, exp, log, sqrt, abs, min and max.\n"
     "Statements may come in any order, except that a material must precede its first use. Of several cameras, "
     "backgrounds, ambients or environments the last one counts.\n";
 

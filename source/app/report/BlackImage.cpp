@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "source/app/Interrupt.h"
 #include "source/render/Render.h"
 #include "source/render/RenderInputs.h"
 
@@ -29,9 +30,9 @@ RenderSettings Small(const RenderSettings& settings) {
 
 /// A summary of what the camera rays of a small image hit.
 struct Views {
-  std::size_t rays = 0, backs = 0,
-              black = 0;            // all; that hit the back of a surface; that hit one that reflects nothing
-  std::vector<double> distances;    // of those that hit, along the viewing direction
+  std::size_t backs = 0;            // hits on the back of a surface
+  std::size_t black = 0;            // hits on a surface that reflects nothing
+  std::vector<double> distances;    // of all hits, along the viewing direction
   bool meets_removed_back = false;  // a ray would hit a one-sided surface from behind
 };
 
@@ -51,15 +52,15 @@ Views ViewsOf(const World& world, const Accelerator& accelerator, const RenderSe
   constexpr std::size_t most_tried = 16;  // rays, since all instances are asked
   Views views;
   Workspace workspace;
+  const auto pixels = static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height);
   std::size_t missed = 0;
   for (int y = 0; y < small.height; ++y)
     for (int x = 0; x < small.width; ++x) {
       const auto ray = camera.RayThrough(x + 0.5, y + 0.5, small.width, small.height);
       if (!ray) continue;
-      ++views.rays;
       const auto hit = accelerator.Intersect(*ray, workspace);
       if (!hit) {
-        if (missed++ % std::max<std::size_t>(1, views.rays / most_tried) == 0)
+        if (missed++ % std::max<std::size_t>(1, pixels / most_tried) == 0)
           views.meets_removed_back = views.meets_removed_back || MeetsRemovedBack(world, *ray);
         continue;
       }
@@ -73,7 +74,9 @@ Views ViewsOf(const World& world, const Accelerator& accelerator, const RenderSe
 }
 
 bool IsLitWith(const World& world, const Accelerator& accelerator, const RenderSettings& settings) {
-  return !IsWhollyBlack(Render(world, accelerator, settings).image);
+  RenderMonitor monitor;
+  monitor.stop = StopRequested();
+  return !IsWhollyBlack(Render(world, accelerator, settings, monitor).image);
 }
 
 /// The settings with the eye behind the first surface that most rays meet.

@@ -157,7 +157,7 @@ void RunLog::WillFinishIn(const Budget& budget) {
                      "; the image will not be denoised");
 }
 
-void RunLog::Rendered(const World& world, const Accelerator& accelerator, const RenderResult& result) {
+void RunLog::Rendered(const RenderResult& result) {
   stats_.seconds.render = watch_.Lap();
   stats_.seconds.wall = watch_.Total();
   stats_.Take(result);
@@ -178,9 +178,6 @@ void RunLog::Rendered(const World& world, const Accelerator& accelerator, const 
   if (result.share_cut > share_to_report)
     Hint("raypro: warning: " + Rounded(100 * result.share_cut, 2) + "% of the light ended at " + LimitsOfLight(stats_) +
          "; the image is about that much too dark");
-  if (ShowsLight(render.mode) && !render.crop && result.IsComplete() && !world.Instances().empty() && IsLit(world) &&
-      IsWhollyBlack(result.image))
-    Hint("raypro: warning: the image is black; " + WhyBlack(world, accelerator, render));
   if (result.rays.cut > 0)
     Warn("raypro: warning: " + Counted(result.rays.cut, "ray") + " were terminated; a camera ray may have at most " +
          std::to_string(most_descendants) + " descendants");
@@ -190,6 +187,13 @@ void RunLog::Rendered(const World& world, const Accelerator& accelerator, const 
     Warn("raypro: warning: the image is not denoised: -time " + ShowDuration(render.budget.seconds) +
          " left too little for two samples per pixel and their filter");
   if (result.error_before_denoising) PrintStep("of that, denoised", result.denoise_seconds);
+}
+
+void RunLog::ExplainIfBlack(const World& world, const Accelerator& accelerator, const R2::Image& image) {
+  const RenderSettings& render = stats_.options.render;
+  const bool shows_all = ShowsLight(render.mode) && !render.crop && stats_.IsComplete();
+  if (shows_all && !world.Instances().empty() && IsLit(world) && IsWhollyBlack(image))
+    Hint("raypro: warning: the image is black; " + WhyBlack(world, accelerator, render));
 }
 
 void RunLog::Written(const std::string& picture) {

@@ -23,11 +23,13 @@ class RunLog {
   void WillFinishIn(const Budget& budget);
   /// With a time limit that machines share: since when, in seconds.
   void BeganTogether(double seconds_ago) { shared_before_ = seconds_ago - SecondsSoFar(); }
-  void Rendered(const World& world, const Accelerator& accelerator, const RenderResult& result);
+  void Rendered(const RenderResult& result);
   /// With what -reference names, in the unit of the estimated error.
   void Compared(double true_error);
   /// `picture`: where it went.
   void Written(const std::string& picture);
+  /// Hints at the reason if the image is black. That takes some rays, so the image is written before.
+  void ExplainIfBlack(const World& world, const Accelerator& accelerator, const R2::Image& image);
   /// The results, on standard output, unless -quiet. Throws OutputError when statistics that were asked for cannot be
   /// written.
   void Summarize() const;
