@@ -72,14 +72,16 @@ QUADMATH := $(if $(filter x86_64% i%86%,$(shell $(CXX) -dumpmachine 2>/dev/null)
 VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw) $(if $(filter osmesa,$(CONTEXTS)),-ldl) \
                $(if $(CONTEXTS),$(IMGUI_LIBS))
 
-ALL_PROGRAMS := raypro rayimg raygrade rayview
+.DEFAULT_GOAL := all
+MAINS := $(wildcard source/app/ray*.cpp)
 # rayview is built where there is something to draw with.
-PROGRAMS := raypro rayimg raygrade $(if $(CONTEXTS),rayview)
-LIBRARY_SOURCES := $(filter-out source/web/% $(ALL_PROGRAMS:%=source/app/%.cpp),$(wildcard R1/*.cpp R2/*.cpp R2/*/*.cpp R3/*.cpp \
-                     R3/*/*.cpp source/*/*.cpp source/*/*/*.cpp source/*/*/*/*.cpp))
+PROGRAMS := raypro rayimg $(if $(CONTEXTS),rayview)
+LIBRARY_SOURCES := $(filter-out $(MAINS),$(wildcard R1/*.cpp R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp \
+                     source/*/*/*.cpp source/*/*/*/*.cpp))
 TEST_SOURCES := $(wildcard tests/*.cpp tests/R1/*.cpp tests/R2/*.cpp tests/R2/*/*.cpp tests/R3/*.cpp \
                   tests/source/*/*.cpp tests/source/*/*/*.cpp tests/source/*/*/*/*.cpp \
                   $(foreach d,every agree extremes closed_form bad_scenes regressions images,tests/$(d)/*.cpp))
+include grader/grader.mk
 BENCH_SOURCES := $(wildcard bench/*.cpp)
 FUZZ_SOURCES := $(wildcard fuzz/*.cpp)
 FUZZ_CXX ?= clang++
@@ -97,14 +99,14 @@ JUMBO ?= yes
 ALONE := fuzz/% \
          source/view/gl/% source/view/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
          source/film/denoise/LocalFit.cpp source/app/manual/Version.cpp \
-         $(if $(UNIT)$(filter-out file,$(origin TEST_SOURCES)),tests/%) $(if $(filter yes,$(JUMBO)),,%)
+         $(if $(UNIT)$(filter-out file,$(origin TEST_SOURCES)),tests/% grader/tests/%) $(if $(filter yes,$(JUMBO)),,%)
 present = $(filter-out $(ABSENT),$(1))
 alone = $(filter $(ALONE),$(call present,$(1)))
 together = $(filter-out $(ALONE),$(call present,$(1)))
 objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call alone,$(1))) \
           $(patsubst %,$(BUILD)/obj/%all.o,$(sort $(dir $(call together,$(1)))))
 
-.PHONY: all $(ALL_PROGRAMS) test unit unit-program night check tidy asan tsan fuzz fuzz-targets fuzz-scenes bench tiny tradeoff \
+.PHONY: all $(PROGRAMS) test unit unit-program night check tidy asan tsan fuzz fuzz-targets fuzz-scenes bench tiny tradeoff \
         price install uninstall installcheck dist clean compile_commands test-binary FORCE
 .PRECIOUS: $(BUILD)/obj/%.o $(BUILD)/jumbo/%/all.cpp
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
@@ -125,7 +127,7 @@ COMMIT = $(shell prefix=$$(git rev-parse --show-prefix 2>/dev/null) && [ -z "$$p
 $(BUILD)/commit: FORCE
 	$(call write,'$(COMMIT)')
 $(BUILD)/jumbo/%/all.cpp: FORCE
-	$(call write,$(patsubst %,'#include "%"',$(call together,$(filter-out $(ALL_PROGRAMS:%=source/app/%.cpp),\
+	$(call write,$(patsubst %,'#include "%"',$(call together,$(filter-out $(MAINS),\
 	  $(if $(UNIT),$(filter $(UNIT),$(wildcard $*/*.cpp)),$(wildcard $*/*.cpp))))))
 FORCE:
 
@@ -165,14 +167,14 @@ link = @mkdir -p $(@D) && echo "  link  $@" && $(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS
        $(filter-out %/libray.a,$^) $(BUILD)/libray.a $(LDFLAGS) $(1) $(LIBS) -o $@
 $(BUILD)/rayview: $(BUILD)/librayview.a
 $(BUILD)/rayimg: $(call objects,$(OF_RAYIMG))
-$(PROGRAMS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libray.a
+$(patsubst source/app/%.cpp,$(BUILD)/%,$(filter source/app/%,$(MAINS))): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libray.a
 	$(call link)
 $(BUILD)/raytests: $(call objects,$(TEST_SOURCES) $(OF_RAYIMG)) $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,-lgtest $(QUADMATH))
 $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,$(if $(shell grep -l benchmark/benchmark.h bench/$*.cpp),-lbenchmark))
 
-include source/web/web.mk
+include page/page.mk
 
 # The smallest tracer. Its C is of 1989, where what is not declared is an int.
 MACHINE := $(shell $(CXX) -dumpmachine 2>/dev/null)
@@ -207,7 +209,7 @@ tidy: $(TIDIED)
 
 # For editors: every file by itself, as JUMBO=no compiles it.
 $(BUILD)/compile_commands.json: $(BUILD)/flags $(BUILD)/features
-	@for file in $(call present,$(LIBRARY_SOURCES) $(TEST_SOURCES) $(BENCH_SOURCES) $(PROGRAMS:%=source/app/%.cpp)); do \
+	@for file in $(call present,$(LIBRARY_SOURCES) $(TEST_SOURCES) $(BENCH_SOURCES) $(MAINS)); do \
 	  printf ',\n{"directory":"%s","file":"%s","command":"%s -c %s"}' "$$PWD" $$file \
 	    "$$(cat $(BUILD)/flags $(BUILD)/features | tr '\n' ' ' | sed 's/[\"]/\\&/g')" $$file; done | sed '1s/,/[/; $$s/$$/\n]/' > $@
 
@@ -218,16 +220,17 @@ test: $(if $(wildcard $(BUILD)/web/raypro.wasm),web)
 	  $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call present,bench/live.cpp bench/trade.cpp bench/view.cpp))
 	$(FOR_TESTS) JOBS=$(JOBS) sh script/run_tests.sh $(BUILD)/raytests $(GTEST)
 	$(FOR_TESTS) sh script/runray.sh -fast
-	@sh tests/web/run.sh $(BUILD)
+	@sh page/tests/run.sh $(BUILD)
 test-binary: $(BUILD)/raytests
 
 # One test file, in a program of its own with nothing but the sources that it needs, compiled for speed of compiling.
+UNIT_TEST = $(firstword $(wildcard tests/$(T).cpp $(T).cpp))
 unit:
 	@[ "$(T)" ] || { echo "which test? For tests/R3/Csg.cpp: make unit T=R3/Csg" >&2; exit 1; }
-	@[ -f tests/$(T).cpp ] || { echo "there is no tests/$(T).cpp" >&2; exit 1; }
+	@[ -f "$(UNIT_TEST)" ] || { echo "there is no tests/$(T).cpp" >&2; exit 1; }
 	@$(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) BUILD=$(BUILD)/unit/$(T) \
 	  OPTIMIZE=$(if $(findstring command,$(origin OPTIMIZE)),$(OPTIMIZE),-O0) \
-	  UNIT="$$(sh script/unit_sources.sh tests/$(T).cpp)" unit-program
+	  UNIT="$$(sh script/unit_sources.sh $(UNIT_TEST))" unit-program
 	$(FOR_TESTS) $(BUILD)/unit/$(T)/test $(GTEST)
 unit-program: $(BUILD)/test
 $(BUILD)/test: $(call objects,$(UNIT))

@@ -4,7 +4,7 @@
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
-find R1 R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \) | LC_ALL=C sort | xargs awk '
+find R1 R2 R3 source grader page -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \) ! -path '*/tests/*' | LC_ALL=C sort | xargs awk '
   BEGIN {
     # A layer and those right below it; what is below them is allowed as well.
     below["R1"] = ""
@@ -19,9 +19,10 @@ find R1 R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \)
     below["film"] = "R2"
     below["render"] = "parse integrate film"
     below["view"] = "render"
-    below["grade"] = "render"
-    below["app"] = "view grade"
-    below["web"] = "app"
+    below["grader"] = "render"
+    below["app"] = "view grader"
+    below["raygrade"] = "app"
+    below["page"] = "app"
     for (layer in below) allow(layer, layer)
   }
 
@@ -33,6 +34,7 @@ find R1 R2 R3 source -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \)
 
   function layer_of(path,   parts) {
     split(path, parts, "/")
+    if (path ~ /^grader\/raygrade[.\/]/) return "raygrade"
     return parts[1] == "source" ? parts[2] : parts[1]
   }
 

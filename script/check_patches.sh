@@ -30,7 +30,7 @@ for file in script/price/*.patch; do
   [ -e "$file" ] || continue
   rm -rf "$work/tree"
   mkdir "$work/tree"
-  cp -rp Makefile script R1 R2 R3 source "$work/tree"
+  cp -rp Makefile script R1 R2 R3 source grader page "$work/tree"
   patch -d "$work/tree" -p1 --force --silent < "$file" > /dev/null || {
     fail "$file no longer applies: make its change to the sources again and store the difference (diff -U1)"
     continue

@@ -21,7 +21,7 @@ make -s BUILD="$build" raypro rayimg > /dev/null
 tree=$build/price/single  # kept, so that only what changes is compiled again
 rm -rf "$tree/source" "$tree/R1" "$tree/R2" "$tree/R3"
 mkdir -p "$tree" "$out"
-cp -rp Makefile script R1 R2 R3 source "$tree"
+cp -rp Makefile script R1 R2 R3 source grader page "$tree"
 patch -s -d "$tree" -p1 < script/price/single.patch
 make -s -C "$tree" BUILD=build raypro > "$work/log" 2>&1 || {
   cat "$work/log" >&2

@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 [ -f "$1" ] || { echo "there is no test $1" >&2; exit 1; }
-find R1 R2 R3 source tests -name '*.cpp' -o -name '*.h' -o -name '*.def' | LC_ALL=C sort | awk -v test="$1" '
+find R1 R2 R3 source grader tests -name '*.cpp' -o -name '*.h' -o -name '*.def' | LC_ALL=C sort | awk -v test="$1" '
   { is_file[$0] = 1; files[++count] = $0 }
 
   function folder_of(file) { sub(/[^\/]*$/, "", file); return file }
@@ -50,7 +50,7 @@ find R1 R2 R3 source tests -name '*.cpp' -o -name '*.h' -o -name '*.def' | LC_AL
   function look_into_sources(   i, file, line, parts, has_header) {
     for (i = 1; i <= count; ++i) {
       file = files[i]
-      if (file !~ /\.cpp$/ || file ~ /^tests\//) continue
+      if (file !~ /\.cpp$/ || file ~ /^(grader\/)?tests\//) continue
       has_header = (substr(file, 1, length(file) - 4) ".h") in is_file
       while ((getline line < file) > 0) {
         if (!has_header && match(line, /^#include "[^"]*"/)) {

@@ -52,7 +52,7 @@ std::vector<std::string> SourcesOfUnit(const std::string& test) {
 // A unit once lacked the readers of scenes, which formats.def names and other folders define, and did not link.
 TEST(Contributing, UnitsHaveWhatTheTablesNameThatTheyInclude) {
   std::set<std::string> constants;
-  for (const char* test : {"tests/source/grade/Mistakes.cpp", "tests/source/view/panels/Panels.cpp"})
+  for (const char* test : {"grader/tests/Mistakes.cpp", "tests/source/view/panels/Panels.cpp"})
     for (const std::string& source : SourcesOfUnit(test))
       constants.merge(LinesAfter(std::regex("(extern )?const \\w+ "), project::Root() / source));
   ASSERT_GT(Tables().size(), 9u);
@@ -69,7 +69,7 @@ TEST(Contributing, UnitsHaveWhatHeadersDeclareAndOtherFilesDefine) {
   for (const auto& [test, wanted] :
        {std::pair{"tests/source/integrate/shading/ShadingPoint.cpp", "source/parse/document/json.cpp"},
         std::pair{"tests/source/integrate/shading/ShadingPoint.cpp", "source/parse/document/yaml.cpp"},
-        std::pair{"tests/source/grade/Grader.cpp", "source/grade/Judge.cpp"}}) {
+        std::pair{"grader/tests/Grader.cpp", "grader/Judge.cpp"}}) {
     const std::vector<std::string> sources = SourcesOfUnit(test);
     EXPECT_EQ(std::count(sources.begin(), sources.end(), wanted), 1) << test << " lacks " << wanted;
   }

@@ -33,7 +33,7 @@ done < "$copy/commands"
 
 # What is built already is not built again: only what knows of shapes.
 mkdir -p "$copy/tree/$build"
-cp -a Makefile R1 R2 R3 source script scenes "$copy/tree"
+cp -a Makefile R1 R2 R3 source grader page script scenes "$copy/tree"
 cp -a "$build/obj" "$build/jumbo" "$build/flags" "$build/features" "$copy/tree/$build"
 block_after '`R3/shapes/ring.cpp`:' > "$copy/tree/R3/shapes/ring.cpp"
 sed -n 's/^    \(SHAPE(.*)\)$/\1/p' "$page" >> "$copy/tree/R3/shapes.def"

@@ -275,7 +275,7 @@ TEST(Elementary, FunctionsOfTheCLibraryDoNotComeBackUnnoticed) {
   EXPECT_EQ(StatusOf("check_functions.sh", ""), 0) << "see make check";
   std::string name = (std::filesystem::temp_directory_path() / "raypro-functions-XXXXXX").string();
   const std::filesystem::path tree = mkdtemp(name.data());
-  for (const char* folder : {"R1", "R2", "R3", "source"}) std::filesystem::create_directory(tree / folder);
+  for (const char* folder : {"R1", "R2", "R3", "source", "grader", "page"}) std::filesystem::create_directory(tree / folder);
   const auto status_with = [&](const std::string& line) {
     std::ofstream(tree / "source/a.cpp") << line << '\n';
     return StatusOf("check_functions.sh", "'" + tree.string() + "'");

@@ -9,7 +9,7 @@
 #include "source/accelerate/AcceleratorSettings.h"
 #include "source/app/options/Comp30019Asked.h"
 #include "source/app/options/Program.h"
-#include "source/app/raygrade/Options.h"
+#include "grader/Options.h"
 #include "source/app/rayimg/Options.h"
 #include "source/parse/Parse.h"
 #include "source/render/Layer.h"

@@ -4,7 +4,7 @@
 #include "source/app/rayimg/Pictures.h"
 #include "source/app/report/Messages.h"
 #include "source/film/Resize.h"
-#include "source/grade/Html.h"
+#include "grader/Html.h"
 #include "source/parse/SceneError.h"
 #include "source/text/NumberText.h"
 

@@ -6,7 +6,7 @@
 
 #include "R2/ImageFile.h"
 #include "source/app/rayimg/Findings.h"
-#include "source/grade/Cause.h"
+#include "grader/Cause.h"
 
 namespace ray::rayimg {
 

@@ -4,7 +4,7 @@
 
 #include "source/app/Status.h"
 #include "source/app/rayimg/Pictures.h"
-#include "source/grade/Html.h"
+#include "grader/Html.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"

@@ -1,0 +1,212 @@
+#include "grader/Grader.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "R2/ImageFile.h"
+#include "source/parse/Files.h"
+
+namespace ray::grade {
+
+/// A student's image, or why there is none. Links are not followed, wherever they lead.
+struct FetchedImage {
+  R2::Image image;
+  bool is_jpeg = false;
+  std::string problem;
+};
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t most_image_bytes = std::int64_t{1} << 27;
+
+/// Where the grader is the superuser, programs run as another user, who needs to write here.
+void LetOthersWrite(const fs::path& folder) {
+  if (geteuid() != 0) return;
+  fs::permissions(folder, fs::perms::all);
+}
+
+std::string ReplacedAll(std::string text, const std::string& what, const std::string& with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+FetchedImage NoImage(const std::string& problem) { return {{}, false, problem}; }
+
+FetchedImage Fetch(const fs::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0)
+    return NoImage(errno == ELOOP    ? "left a symbolic link in place of an image, which is not followed"
+                   : errno == ENOENT ? "left no image"
+                                     : "left an image that cannot be read");
+  struct stat status {};
+  fstat(descriptor, &status);
+  std::vector<unsigned char> bytes;
+  const bool is_file = S_ISREG(status.st_mode), fits = status.st_size <= most_image_bytes;
+  if (is_file && fits) {
+    bytes.resize(static_cast<std::size_t>(status.st_size));
+    const ssize_t count = read(descriptor, bytes.data(), bytes.size());
+    bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+  }
+  close(descriptor);
+  if (!is_file) return NoImage("left something that is no file in place of an image");
+  if (!fits) return NoImage("left a file of more than 128 MiB in place of an image");
+  if (bytes.empty()) return NoImage("left an empty file");
+  try {
+    const R2::ImageSize size = R2::ReadImageSize(bytes);
+    if (std::max(size.width, size.height) > 8192) return NoImage("left an image of more than 8192 pixels a side");
+    R2::DecodedImage decoded = R2::DecodeImage(bytes);
+    return {std::move(decoded.image), std::string(decoded.format->name) == "jpeg", {}};
+  } catch (const R2::ImageError& error) {
+    return NoImage(std::string("left a file that is no image: ") + error.what());
+  }
+}
+
+/// The file asked for, or else the one image that is there: some programs choose its name themselves.
+fs::path ImageIn(const fs::path& folder, const fs::path& wanted) {
+  std::error_code ignored;
+  if (fs::symlink_status(wanted, ignored).type() != fs::file_type::not_found) return wanted;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (R2::FormatForName(entry.path().string())) return entry.path();
+  return wanted;
+}
+
+std::string SizeOf(const R2::Image& image) {
+  return std::to_string(image.Width()) + " x " + std::to_string(image.Height());
+}
+
+std::string WhyOfWrongSize(const R2::Image& image, const SuiteScene& scene) {
+  std::string why = "left an image of " + SizeOf(image) + " pixels instead of " + std::to_string(scene.width) + " x " +
+                    std::to_string(scene.height);
+  if (image.Width() == scene.height && image.Height() == scene.width) why += ": width and height are swapped";
+  return why;
+}
+
+std::string Contents(const std::string& file) {
+  const Files files(file, {});
+  return files.Read(files.Top());
+}
+
+}  // namespace
+
+ScratchFolder::ScratchFolder() {
+  std::string pattern = (fs::temp_directory_path() / "raygrade.XXXXXX").string();
+  if (!mkdtemp(pattern.data()))
+    throw std::runtime_error("no folder can be made in " + fs::temp_directory_path().string());
+  path_ = pattern;
+  fs::permissions(path_, fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec | fs::perms::group_read |
+                             fs::perms::others_read);
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+Grader::Grader(const Suite& suite, const GraderSettings& settings, const Loader& load)
+    : suite_(suite), settings_(settings), load_(load), sandbox_(settings.sandbox), inputs_{suite.file} {
+  for (const SuiteScene& scene : suite_.scenes) {
+    Stage(scene);
+    scenes_.push_back(std::make_unique<SceneImages>(scene, files_.back(), load_));
+  }
+}
+
+void Grader::Stage(const SuiteScene& scene) {
+  const fs::path from = fs::path(scene.file).parent_path(), to = folder_.Path() / "scenes" / scene.name;
+  const SceneToRender loaded = load_(scene, scene.file);
+  for (const std::string& file : loaded.scene.files) {
+    inputs_.push_back(file);
+    const fs::path place = fs::path(file).lexically_relative(from.empty() ? fs::path(".") : from);
+    if (place.empty() || place.begin()->string() == "..") continue;  // read where it is
+    fs::create_directories((to / place).parent_path());
+    fs::copy_file(file, to / place, fs::copy_options::overwrite_existing);
+  }
+  const fs::path copy = to / fs::path(scene.file).filename();
+  files_.push_back(copy.string());
+  if (settings_.seed == 0 || scene.vary.empty()) return;
+  std::ofstream(copy, std::ios::binary) << Varied(Contents(scene.file), scene, settings_.seed);
+}
+
+StudentResult Grader::Grade(const std::string& name, const std::string& student,
+                            const std::function<void(const StudentResult&)>& done) {
+  StudentResult result{.name = name, .scenes = {}};
+  double used = 0;
+  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+    const double left = suite_.budget > 0 ? suite_.budget - used : suite_.scenes[i].seconds;
+    SceneResult scene = GradeScene(*scenes_[i], files_[i], student, left);
+    if (settings_.stop && *settings_.stop) return result;
+    result.scenes.push_back(std::move(scene));
+    used += result.scenes.back().seconds;
+    result.is_complete = i + 1 == scenes_.size();
+    done(result);
+  }
+  return result;
+}
+
+FetchedImage Grader::RunProgram(const SuiteScene& scene, const std::string& file, const std::string& student,
+                                double seconds_left, SceneResult& result) {
+  const fs::path folder = folder_.Path() / "run";
+  fs::remove_all(folder);
+  fs::create_directory(folder);
+  LetOthersWrite(folder);
+  const fs::path image = folder / ("image." + settings_.image_extension);
+  std::vector<fs::path> readable(suite_.readable.begin(), suite_.readable.end());
+  readable.push_back(fs::path(file).parent_path());
+  const Limits limits{.seconds = std::min(scene.seconds, seconds_left), .memory = suite_.memory};
+  const RunResult ran =
+      sandbox_.Run(FilledCommand(scene, file, student, image), folder, readable, limits, settings_.stop);
+  result.seconds += ran.seconds;
+  result.program_output = ran.output;
+  if (!ran.IsGood()) return NoImage(ran.Problem());
+  FetchedImage fetched = Fetch(ImageIn(folder, image));
+  if (!fetched.problem.empty()) return fetched;
+  if (fetched.image.Width() != scene.width || fetched.image.Height() != scene.height)
+    return NoImage(WhyOfWrongSize(fetched.image, scene));
+  return fetched;
+}
+
+std::vector<std::string> Grader::FilledCommand(const SuiteScene& scene, const std::string& file,
+                                               const std::string& student, const fs::path& image) const {
+  std::vector<std::string> words;
+  for (const std::string& word : settings_.command) {
+    std::string filled = ReplacedAll(word, "{student}", student);
+    filled = ReplacedAll(filled, "{scene}", file);
+    filled = ReplacedAll(filled, "{image}", image.string());
+    filled = ReplacedAll(filled, "{width}", std::to_string(scene.width));
+    words.push_back(ReplacedAll(filled, "{height}", std::to_string(scene.height)));
+  }
+  return words;
+}
+
+SceneResult Grader::GradeScene(SceneImages& images, const std::string& file, const std::string& student,
+                               double seconds_left) {
+  const SuiteScene& scene = images.scene();
+  SceneResult result;
+  result.scene = scene.name;
+  result.title = scene.title.empty() ? scene.name : scene.title;
+  result.teaches = scene.teaches;
+  result.points = scene.points;
+  const auto fail = [&](const std::string& problem) {
+    result.headline = "The program " + problem + ".";
+    return result;
+  };
+  if (!(seconds_left > 0)) return fail("was not run: the time for all scenes together is used up");
+  std::vector<R2::Image> runs;
+  bool is_jpeg = false;
+  for (int run = 0; run < scene.runs; ++run) {
+    FetchedImage fetched = RunProgram(scene, file, student, seconds_left, result);
+    if (!fetched.problem.empty()) return fail(fetched.problem);
+    is_jpeg |= fetched.is_jpeg;
+    runs.push_back(std::move(fetched.image));
+  }
+  result.program_output.clear();
+  Judge(runs, is_jpeg, suite_, images, result);
+  return result;
+}
+
+}  // namespace ray::grade

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "grader/Results.h"
+#include "grader/SceneImages.h"
+
+namespace ray::grade {
+
+/// How students' programs are run.
+struct GraderSettings {
+  std::vector<std::string> command;  // with {scene}, {image}, {width}, {height} and {student}
+  std::uint64_t seed = 0;            // 0: scenes as they are; else varied as the suite says
+  Sandbox::Mode sandbox = Sandbox::Mode::automatic;
+  std::string image_extension = "png";
+  const std::atomic<bool>* stop = nullptr;  // ends the grading when it becomes true; may be null
+};
+
+/// A folder for temporary files that ends with all that is in it.
+class ScratchFolder {
+ public:
+  /// Throws std::runtime_error where none can be made.
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  const std::filesystem::path& Path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct FetchedImage;
+
+/// Grades programs by a suite. References, and images with mistakes, are rendered once for all of them.
+class Grader {
+ public:
+  /// Copies the scenes to a folder of their own, which is gone with the grader. Throws SceneErrors for a scene that
+  /// cannot be read, or a text to be varied that is not in it once.
+  Grader(const Suite& suite, const GraderSettings& settings, const Loader& load);
+
+  const Suite& suite() const { return suite_; }
+  const Sandbox& sandbox() const { return sandbox_; }
+  std::vector<std::unique_ptr<SceneImages>>& Scenes() { return scenes_; }
+  const std::vector<std::string>& Command() const { return settings_.command; }
+  /// The suite and every file that a scene was read from.
+  const std::vector<std::string>& Inputs() const { return inputs_; }
+
+  /// Runs the program of a student on every scene. `done` is called after each, with what is known so far, so that
+  /// nothing is lost when the grader is ended.
+  /// Where settings.stop ended it, the scenes that were not finished are left out, and it is not complete.
+  ///   student   the folder that {student} stands for; empty for none
+  StudentResult Grade(const std::string& name, const std::string& student,
+                      const std::function<void(const StudentResult&)>& done);
+
+ private:
+  SceneResult GradeScene(SceneImages& images, const std::string& file, const std::string& student, double seconds_left);
+  /// Runs a student's program once on a scene, and adds its seconds and what it printed to `result`.
+  FetchedImage RunProgram(const SuiteScene& scene, const std::string& file, const std::string& student,
+                          double seconds_left, SceneResult& result);
+  /// The command with the words in braces replaced by what they stand for.
+  std::vector<std::string> FilledCommand(const SuiteScene& scene, const std::string& file, const std::string& student,
+                                         const std::filesystem::path& image) const;
+  void Stage(const SuiteScene& scene);
+
+  const Suite& suite_;
+  GraderSettings settings_;
+  Loader load_;
+  Sandbox sandbox_;
+  ScratchFolder folder_;
+  std::vector<std::string> inputs_;
+  std::vector<std::string> files_;  // of the scenes, as students see them
+  std::vector<std::unique_ptr<SceneImages>> scenes_;
+};
+
+/// The text of a scene with its variations; see SuiteScene::vary. Throws SceneErrors.
+std::string Varied(const std::string& text, const SuiteScene& scene, std::uint64_t seed);
+
+/// What a student's image is worth: everything about it but how it came to be.
+void Judge(const std::vector<R2::Image>& runs, bool is_jpeg, const Suite& suite, SceneImages& images,
+           SceneResult& result);
+
+}  // namespace ray::grade

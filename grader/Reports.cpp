@@ -1,0 +1,202 @@
+#include "grader/Reports.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "grader/Html.h"
+#include "source/text/NumberText.h"
+#include "source/text/Quoting.h"
+
+namespace ray::grade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array outcome_names{"right", "known", "different", "failed"};
+const char* NameOf(SceneResult::Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)]; }
+
+std::string PointsText(double points) { return Rounded(points, 4); }
+
+std::string Figure(const R2::Image& image, const std::string& caption) {
+  return "<figure class=\"third\">" + ImageTag(image, caption) + "<figcaption>" + HtmlOf(caption) + "</figcaption></figure>\n";
+}
+
+std::string Paragraphs(const std::vector<std::string>& sentences) {
+  std::string html;
+  for (const std::string& sentence : sentences) html += "<p>" + HtmlOf(sentence) + "</p>\n";
+  return html;
+}
+
+std::string WorstPixel(const SceneResult& scene) {
+  if (scene.worst_x < 0) return {};
+  constexpr int reach = 6, scale = 12;
+  const std::string where = std::to_string(scene.worst_x) + " " + std::to_string(scene.worst_y);
+  return "<h3>The pixel that differs most clearly: " + where + " (from the lower left)</h3>\n" +
+         Figure(CropAround(scene.expected, scene.worst_x, scene.worst_y, reach, scale), "expected") +
+         Figure(CropAround(scene.actual, scene.worst_x, scene.worst_y, reach, scale), "yours") +
+         "<p>What rays do there in a correct program, and what each of them contributes:</p><pre>" +
+         HtmlOf(scene.ray_tree) + "</pre>\n";
+}
+
+std::string ProgramOutput(const SceneResult& scene) {
+  if (scene.program_output.empty()) return {};
+  return "<p>What the program printed:</p><pre>" + HtmlOf(scene.program_output.substr(0, 4000)) + "</pre>\n";
+}
+
+std::string SceneSection(const SceneResult& scene) {
+  std::string html = "<h2 id=\"" + HtmlOf(scene.scene) + "\">" + HtmlOf(scene.title) + ": " + PointsText(scene.score) +
+                     " of " + PointsText(scene.points) + " points</h2>\n";
+  if (!scene.teaches.empty()) html += "<p><em>" + HtmlOf(scene.teaches) + "</em></p>\n";
+  html += "<p class=\"" + std::string(NameOf(scene.outcome)) + "\">" + HtmlOf(scene.headline) + "</p>\n" +
+          Paragraphs(scene.remarks) + ProgramOutput(scene);
+  if (scene.expected.Width() > 0)
+    html += Figure(scene.expected, "expected") + Figure(scene.actual, "yours") +
+            Figure(scene.difference, "difference times 4: red too bright, blue too dark");
+  return html + WorstPixel(scene);
+}
+
+std::string Overview(const StudentResult& student) {
+  std::string html = "<table><tr><th>scene<th>points<th>result</tr>\n";
+  for (const SceneResult& scene : student.scenes)
+    html += "<tr class=\"" + std::string(NameOf(scene.outcome)) + "\"><td><a href=\"#" + HtmlOf(scene.scene) + "\">" +
+            HtmlOf(scene.title) + "</a><td class=\"n\">" + PointsText(scene.score) + " / " + PointsText(scene.points) +
+            "<td>" + HtmlOf(scene.headline) + "</tr>\n";
+  return html + "</table>\n";
+}
+
+Json JsonOf(const SceneResult& scene) {
+  return {{"scene", scene.scene},
+          {"title", scene.title},
+          {"points", scene.points},
+          {"score", scene.score},
+          {"outcome", NameOf(scene.outcome)},
+          {"headline", scene.headline},
+          {"mistakes", scene.mistakes},
+          {"explained", scene.explained},
+          {"percent", scene.percent},
+          {"seconds", scene.seconds}};
+}
+
+SceneResult ResultOf(const Json& json) {
+  SceneResult scene;
+  json.at("scene").get_to(scene.scene);
+  json.at("title").get_to(scene.title);
+  json.at("points").get_to(scene.points);
+  json.at("score").get_to(scene.score);
+  json.at("headline").get_to(scene.headline);
+  json.at("mistakes").get_to(scene.mistakes);
+  json.at("explained").get_to(scene.explained);
+  json.at("percent").get_to(scene.percent);
+  json.at("seconds").get_to(scene.seconds);
+  const auto name = std::ranges::find(outcome_names, json.at("outcome").get<std::string>());
+  if (name == outcome_names.end()) throw Json::other_error::create(501, "no such outcome", &json);
+  scene.outcome = static_cast<SceneResult::Outcome>(name - outcome_names.begin());
+  return scene;
+}
+
+std::string CommonMistakes(const std::vector<StudentResult>& students) {
+  std::map<std::string, int> students_with;
+  for (const StudentResult& student : students) {
+    std::map<std::string, int> of_student;
+    for (const SceneResult& scene : student.scenes)
+      if (!scene.mistakes.empty()) of_student[scene.mistakes] = 1;
+    for (const auto& [name, one] : of_student) students_with[name] += one;
+  }
+  std::vector<std::pair<int, std::string>> sorted;
+  for (const auto& [name, count] : students_with) sorted.emplace_back(-count, name);
+  std::ranges::sort(sorted);
+  std::string html = "<h2>Common mistakes</h2>\n<table><tr><th>mistake<th>students</tr>\n";
+  for (const auto& [count, name] : sorted)
+    html += "<tr><td>" + HtmlOf(name) + "<td><span class=\"bar\" style=\"width:" + std::to_string(-count) +
+            "em\"></span> " + std::to_string(-count) + "</tr>\n";
+  return html + "</table>\n";
+}
+
+std::string ClassTable(const std::vector<StudentResult>& students, const Suite& suite) {
+  std::string html = "<h2>Points</h2>\n<table><tr><th>student<th>points";
+  for (const SuiteScene& scene : suite.scenes) html += "<th>" + HtmlOf(scene.name);
+  html += "</tr>\n";
+  for (const StudentResult& student : students) {
+    html += "<tr><td><a href=\"" + HtmlOf(student.name) + "/index.html\">" + HtmlOf(student.name) +
+            "</a><td class=\"n\">" + PointsText(student.Score());
+    for (const SceneResult& scene : student.scenes)
+      html += "<td class=\"n " + std::string(NameOf(scene.outcome)) + "\" title=\"" + HtmlOf(scene.headline) + "\">" +
+              PointsText(scene.score);
+    html += "</tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+}  // namespace
+
+double StudentResult::Score() const {
+  return std::accumulate(scenes.begin(), scenes.end(), 0.0,
+                         [](double sum, const SceneResult& scene) { return sum + scene.score; });
+}
+
+double StudentResult::Points() const {
+  return std::accumulate(scenes.begin(), scenes.end(), 0.0,
+                         [](double sum, const SceneResult& scene) { return sum + scene.points; });
+}
+
+std::string StudentPage(const StudentResult& student, const Suite& suite, const std::string& sandbox) {
+  std::string body = "<p>" + PointsText(student.Score()) + " of " + PointsText(suite.Points()) + " points.</p>\n" +
+                     Overview(student) +
+                     "<p>Compared are steady pixels: those that stay as they are when the camera is moved by less than "
+                     "half a pixel. Differences of rounding, and at edges, do not count. A mistake is named where it "
+                     "explains more than 80% of the difference.</p>\n";
+  for (const SceneResult& scene : student.scenes) body += SceneSection(scene);
+  return Page(suite.name + (student.name.empty() ? "" : ": " + student.name),
+              body + "<p>" + HtmlOf(sandbox) + "</p>\n");
+}
+
+std::string ResultsJson(const StudentResult& student, const std::string& identity) {
+  Json json{{"score", student.Score()}, {"visibility", "visible"}, {"tests", Json::array()}};
+  Json scenes = Json::array();
+  for (const SceneResult& scene : student.scenes) {
+    json["tests"].push_back({{"name", scene.title},
+                             {"score", scene.score},
+                             {"max_score", scene.points},
+                             {"status", scene.outcome == SceneResult::Outcome::right ? "passed" : "failed"},
+                             {"output", SceneSection(scene)},
+                             {"output_format", "html"},
+                             {"visibility", "visible"}});
+    scenes.push_back(JsonOf(scene));
+  }
+  json["extra_data"] = {
+      {"graded_by", identity}, {"student", student.name}, {"complete", student.is_complete}, {"scenes", scenes}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::optional<StudentResult> ReadResultsJson(const std::string& text, const std::string& identity) {
+  try {
+    const Json json = Json::parse(text).at("extra_data");
+    if (json.at("graded_by") != identity) return {};
+    StudentResult student;
+    json.at("student").get_to(student.name);
+    json.at("complete").get_to(student.is_complete);
+    for (const Json& scene : json.at("scenes")) student.scenes.push_back(ResultOf(scene));
+    return student;
+  } catch (const Json::exception&) {
+    return {};
+  }
+}
+
+std::string ClassCsv(const std::vector<StudentResult>& students) {
+  std::string csv = "student,scene,points,score,outcome,mistakes,percent_differing,seconds\n";
+  for (const StudentResult& student : students)
+    for (const SceneResult& scene : student.scenes)
+      csv += CsvField(student.name) + "," + CsvField(scene.scene) + "," + ToText(scene.points) + "," +
+             PointsText(scene.score) + "," + NameOf(scene.outcome) + "," + CsvField(scene.mistakes) + "," +
+             Rounded(scene.percent, 4) + "," + Rounded(scene.seconds, 3) + "\n";
+  return csv;
+}
+
+std::string ClassPage(const std::vector<StudentResult>& students, const Suite& suite) {
+  return Page(suite.name, CommonMistakes(students) + ClassTable(students, suite));
+}
+
+}  // namespace ray::grade

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/Comparison.h"
+#include "grader/Sandbox.h"
+
+namespace ray::grade {
+
+/// What became of one scene.
+struct SceneResult {
+  enum class Outcome { right, known_mistake, different, failed };
+
+  std::string scene, title, teaches;
+  double points = 0, score = 0;
+  Outcome outcome = Outcome::failed;
+  std::string headline;              // one sentence, without markup
+  std::vector<std::string> remarks;  // more sentences: expectations, hints, what detectors found
+  std::string mistakes;              // names of those named, "gamma+mirrored"; empty for none
+  double explained = 0;              // share of the difference, 0 to 1, where mistakes are named
+  double percent = 0;                // of the steady pixels that differ
+  double seconds = 0;
+  std::string program_output;  // the beginning, of a program that failed
+  // For the page of the student; empty where there is no image.
+  R2::Image expected, actual, difference;
+  int worst_x = -1, worst_y = -1;
+  std::string ray_tree;
+};
+
+/// What became of one student.
+struct StudentResult {
+  std::string name;
+  std::vector<SceneResult> scenes;
+  bool is_complete = false;
+
+  double Score() const;
+  double Points() const;
+};
+
+}  // namespace ray::grade

@@ -1,0 +1,169 @@
+#include "grader/RuledShading.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "R1/Elementary.h"
+#include "source/integrate/lights/EmissiveShape.h"
+#include "source/integrate/lights/TriangleLamp.h"
+#include "source/integrate/shading/Bsdf.h"
+
+namespace ray::grade {
+namespace {
+
+/// The transform of each instance's group, baked or not.
+std::vector<const R3::Transform*> TransformsOf(const World& world) {
+  std::vector<const R3::Transform*> transforms(world.Instances().size());
+  for (const FlatNode& node : world.Nodes())
+    if (node.instance >= 0) transforms[static_cast<std::size_t>(node.instance)] = &world.Frames()[node.frame];
+  return transforms;
+}
+
+/// How long a normal is that nobody has normalized: a sphere's points are a radius from its center, and a matrix
+/// stretches what it moves.
+double LengthOfNormal(const Instance& instance, const R3::Transform& transform, const R3::Vector& world_normal) {
+  const R3::Vector local = TransposeTimes(transform.Forward(), world_normal);
+  const auto sphere = instance.shape->AsSphere();
+  return (sphere ? sphere->radius : 1) / Length(local);
+}
+
+constexpr std::uint64_t first_key = 1000;  // of the random choices of each light
+
+}  // namespace
+
+RuledShading::RuledShading(const World& world, const Accelerator& accelerator, const TraceSettings& settings,
+                           const ShadingRules& rules)
+    : Whitted(world, accelerator, settings),
+      tracer_(world, accelerator, settings.shadows),
+      settings_(settings),
+      rules_(rules),
+      transforms_(TransformsOf(world)) {}
+
+bool RuledShading::CanShade(const World& world, const TraceSettings& settings) {
+  const Scene& scene = world.scene();
+  if (scene.environment && !scene.environment->IsBlack()) return false;
+  if (!TriangleLamps(world, settings.emissive_meshes).empty()) return false;
+  return !settings.emissive_solids_light || EmissiveShapes(world).empty();
+}
+
+void RuledShading::ApplyToNormal(ShadingPoint& p) const {
+  using enum ShadingRules::Normal;
+  const Instance& instance = world().Instances()[p.hit.instance];
+  const R3::Transform& transform = *transforms_[p.hit.instance];
+  const R3::Vector local = TransposeTimes(transform.Forward(), p.N);
+  const R3::Vector outward = AsVector(p.at.shading_normal);
+  switch (rules_.normal) {
+    case exact:
+      return;
+    case by_matrix:
+      p.N = Unit(transform.Forward() * local);
+      return;
+    case untransformed:
+      p.N = Unit(local);
+      return;
+    case inward:
+      p.N = -outward;
+      return;
+    case not_facing:
+      p.N = outward;
+      return;
+    case flat:
+      p.N = p.Outward();
+      p.is_smoothed = false;
+      return;
+    case not_normalized:
+      p.N = LengthOfNormal(instance, transform, p.N) * p.N;
+      return;
+  }
+}
+
+void RuledShading::Shade(std::span<ShadingPoint> points, std::span<R2::Color> radiances, TraceState& state) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ShadingPoint& p = points[i];
+    radiances[i] = p.EmittedAndAmbient(world());
+    ApplyToNormal(p);
+    if (rules_.always_leaves_glass) p.relative_index = p.material->ir;
+    if (rules_.leaving_is_entering) p.relative_index = 1 / p.material->ir;
+  }
+  const std::size_t count = Lights().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (rules_.lights == ShadingRules::Lights::first && i > 0) break;
+    if (rules_.lights == ShadingRules::Lights::last && i + 1 < count) continue;
+    AddLight(i, points, radiances, state);
+  }
+}
+
+void RuledShading::AddLight(std::size_t which, std::span<ShadingPoint> points, std::span<R2::Color> radiances,
+                            TraceState& state) const {
+  const Light& light = *Lights()[which];
+  const auto count = static_cast<std::uint32_t>(light.IsExtended() ? settings_.shadow_samples : 1);
+  state.arrived.assign(points.size(), {});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ShadingPoint& p = points[i];
+    if (!p.HasReflectance()) continue;
+    const ray::Points random = p.path.index.PointsFor(first_key + which, settings_.sampler, settings_.samples, count);
+    for (std::uint32_t k = 0; k < count && !state.IsStopped(); ++k)
+      AddSample(which, p, i, random.Get2D(p.path.index.FirstOf(count) + k), 1.0 / count, radiances[i], state);
+  }
+  tracer_.TraceShadowRays(state);
+  for (std::size_t i = 0; i < points.size(); ++i) radiances[i] += state.arrived[i];
+}
+
+double RuledShading::CosineOf(const ShadingPoint& p, const R3::Vector& L) const {
+  const double cosine = Dot(p.N, L);
+  switch (rules_.cosine) {
+    case ShadingRules::Cosine::clamped:
+      return std::max(0.0, cosine);
+    case ShadingRules::Cosine::absolute:
+      return std::abs(cosine);
+    case ShadingRules::Cosine::none:
+      return cosine > 0 ? 1 : 0;
+  }
+  return 0;
+}
+
+/// Whether an absolute cosine lets a light shine that is on the other side of something without an inside.
+bool RuledShading::IsLitFromBehind(const ShadingPoint& p, const R3::Vector& L) const {
+  return rules_.cosine == ShadingRules::Cosine::absolute && Dot(p.N, L) < 0 && !p.is_met_again;
+}
+
+R2::Color RuledShading::HighlightOf(const ShadingPoint& p, const R3::Vector& L) const {
+  if (!rules_.half_vector) return Highlight(p, L);
+  const double lobe = Dot(p.N, Unit(L + p.wo));
+  return p.Mapped(p.material->ks * (lobe > 0 && !IsBlack(p.material->ks) ? R1::Pow(lobe, p.material->n) : 0));
+}
+
+R3::Vector RuledShading::ShadowDirection(std::size_t which, const ShadingPoint& p, const LightSample& sample) const {
+  if (rules_.shadow != ShadingRules::Shadow::of_next_light) return sample.to_light;
+  const Light& next = *Lights()[(which + 1) % Lights().size()];
+  const auto other = next.Illuminate(p.free_point, {0.5, 0.5});
+  return other ? other->to_light : sample.to_light;
+}
+
+void RuledShading::AddSample(std::size_t which, ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
+                             R2::Color& radiance, TraceState& state) const {
+  const Light& light = *Lights()[which];
+  const auto sample = light.Illuminate(p.free_point, u);
+  if (!sample) return;
+  const R3::Vector L = Unit(sample->to_light);
+  const double cosine = CosineOf(p, L);
+  if (!(cosine > 0)) return;
+  const R2::Color arriving = weight * sample->irradiance;
+  R2::Color reflected = cosine * p.kd * arriving;
+  const R2::Color highlight = HighlightOf(p, L) * arriving;
+  if (rules_.highlight_in_shadow)
+    radiance += highlight;
+  else
+    reflected += highlight;
+  ShadowTarget target = sample->Target();
+  target.to_light = ShadowDirection(which, p, *sample);
+  if (rules_.shadow == ShadingRules::Shadow::beyond_light) target.is_infinite = true, target.reaching = -1;
+  // A thin surface does not keep light from itself where programs start their shadow rays a little towards the light.
+  const R3::Vector N = p.N;
+  if (IsLitFromBehind(p, L)) p.N = -N;
+  tracer_.AddShadowRay(
+      p, index, target, reflected, p.path.throughput, [&] { return light.Describe(); }, state);
+  p.N = N;
+}
+
+}  // namespace ray::grade

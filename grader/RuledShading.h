@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "grader/ShadingRules.h"
+#include "source/integrate/Whitted.h"
+
+namespace ray::grade {
+
+/// The ray tracer of mode whitted, with the surface equation as a student may have got it wrong. Of light sources it
+/// knows those of Scene::lights; see CanShade.
+class RuledShading : public Whitted {
+ public:
+  RuledShading(const World& world, const Accelerator& accelerator, const TraceSettings& settings,
+               const ShadingRules& rules);
+
+  /// Whether the scene has no light but those that the rules are about: no environment and no lamps.
+  static bool CanShade(const World& world, const TraceSettings& settings);
+
+ private:
+  void Shade(std::span<ShadingPoint> points, std::span<R2::Color> radiances, TraceState& state) const override;
+  void ApplyToNormal(ShadingPoint& p) const;
+  void AddLight(std::size_t which, std::span<ShadingPoint> points, std::span<R2::Color> radiances,
+                TraceState& state) const;
+  void AddSample(std::size_t which, ShadingPoint& p, std::size_t index, const R2::Point& u, double weight,
+                 R2::Color& radiance, TraceState& state) const;
+  double CosineOf(const ShadingPoint& p, const R3::Vector& L) const;
+  bool IsLitFromBehind(const ShadingPoint& p, const R3::Vector& L) const;
+  R2::Color HighlightOf(const ShadingPoint& p, const R3::Vector& L) const;
+  R3::Vector ShadowDirection(std::size_t which, const ShadingPoint& p, const LightSample& sample) const;
+
+  Tracer tracer_;
+  TraceSettings settings_;
+  ShadingRules rules_;
+  std::vector<const R3::Transform*> transforms_;  // world from the group that each instance is in
+};
+
+}  // namespace ray::grade

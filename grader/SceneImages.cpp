@@ -1,0 +1,167 @@
+#include "grader/SceneImages.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "R2/ImageFile.h"
+#include "source/accelerate/Accelerator.h"
+#include "grader/RuledShading.h"
+#include "source/render/PixelTrace.h"
+#include "source/render/Render.h"
+
+namespace ray::grade {
+namespace {
+
+// Further than the samples of programs that smooth edges with four rays lie, a quarter of a pixel to each side.
+constexpr R2::Vector shifts[]{{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
+
+/// The camera seen from a little aside, so that the whole image moves by so many pixels.
+void Shift(Variant& variant, R2::Vector pixels) {
+  if (pixels == R2::Vector{}) return;
+  RenderSettings& settings = variant.settings;
+  if (!settings.view) settings.view = variant.scene().camera;
+  R2::Vector& shift = settings.view->shift;
+  const double pixel = 2.0 / settings.width;
+  shift = {shift.x + pixel * pixels.x, shift.y + pixel * pixels.y};
+}
+
+/// What the mistakes do to an image of light once it is rendered, and the values for a screen.
+R2::Image Shown(R2::Image image, const MistakeList& mistakes) {
+  for (const Mistake* mistake : mistakes)
+    if (!mistake->make) image = mistake->of_image(image);
+  return Displayed(image, R2::Display::straight);
+}
+
+/// Mistakes that are made before an image is rendered.
+MistakeList BeforeRendering(const MistakeList& mistakes) {
+  MistakeList made;
+  std::ranges::copy_if(mistakes, std::back_inserter(made), [](const Mistake* mistake) { return mistake->make; });
+  return made;
+}
+
+std::unique_ptr<const Accelerator> Accelerated(const World& world, const AcceleratorSettings& settings) {
+  return FindAcceleratorKind(settings.name)->Make(world, settings);
+}
+
+R2::Image Rendered(const Variant& variant, const World& world, const Accelerator& accelerator) {
+  const RenderSettings& settings = variant.settings;
+  if (variant.rules == ShadingRules()) return Render(world, accelerator, settings).image;
+  const TraceSettings trace = TraceSettingsOf(settings);
+  if (settings.mode != RenderMode::whitted || !RuledShading::CanShade(world, trace)) return {};
+  return Render(world, RuledShading(world, accelerator, trace, variant.rules), settings).image;
+}
+
+}  // namespace
+
+/// The scene of the reference, ready for rays.
+struct SceneImages::Built {
+  explicit Built(SceneToRender loaded)
+      : scene(std::move(loaded)), world(scene.scene), accelerator(Accelerated(world, scene.accelerator)) {}
+  SceneToRender scene;
+  World world;
+  std::unique_ptr<const Accelerator> accelerator;
+};
+
+SceneImages::SceneImages(const SuiteScene& scene, const std::string& file, const Loader& load)
+    : scene_(scene), file_(file), built_(std::make_unique<Built>(load(scene, file))) {
+  reference_ = *With({});
+  FindSteadyPixels();
+  FindSmoothing();
+}
+
+// Programs that smooth edges take 4 samples, or 16, or more; two and a half times what 16 samples change covers them
+// all. Rays through the corners of pixels, which are a mistake, change a pixel at an edge by more than that.
+void SceneImages::FindSmoothing() {
+  constexpr int many_samples = 16;
+  constexpr double factor = 2.5;
+  smoothing_.assign(steady_.size(), 0.0);
+  if (scene_.runs > 1) return;
+  const R2::Image smooth = Shown(Light({}, {}, many_samples), {});
+  const int width = reference_.Width();
+  for (int y = 0; y < reference_.Height(); ++y)
+    for (int x = 0; x < width; ++x)
+      smoothing_[static_cast<std::size_t>(y * width + x)] =
+          factor * LargestChannel(smooth.At(x, y) - reference_.At(x, y));
+}
+
+SceneImages::~SceneImages() = default;
+
+void SceneImages::FindSteadyPixels() {
+  const int width = reference_.Width(), height = reference_.Height();
+  steady_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), true);
+  if (scene_.runs > 1) return;  // blocks are compared, whose means an edge changes little
+  for (const R2::Vector& shift : shifts) {
+    const R2::Image moved = Shown(Light({}, shift), {});
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        if (LargestChannel(moved.At(x, y) - reference_.At(x, y)) > scene_.tolerance)
+          steady_[static_cast<std::size_t>(y * width + x)] = false;
+  }
+  const auto& [scene, settings, accelerator] = built_->scene;
+  const Camera& camera = settings.view ? *settings.view : scene.camera;
+  Workspace workspace;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto ray = camera.RayThrough(x + 0.5, y + 0.5, width, height);
+      const auto hit = ray ? built_->accelerator->Intersect(*ray, workspace) : std::nullopt;
+      if (!hit || !hit->is_contested) continue;
+      steady_[static_cast<std::size_t>(y * width + x)] = false;
+    }
+}
+
+R2::Image SceneImages::Light(const MistakeList& mistakes, R2::Vector shift_in_pixels, int samples) const {
+  const SceneToRender& scene = built_->scene;
+  Variant variant(scene.scene, scene.settings);
+  for (const Mistake* mistake : mistakes) mistake->make(variant);
+  Shift(variant, shift_in_pixels);
+  if (samples > 0) variant.settings.samples = samples;
+  if (!variant.HasOwnScene()) return Rendered(variant, built_->world, *built_->accelerator);
+  const World world(variant.scene());
+  return Rendered(variant, world, *Accelerated(world, scene.accelerator));
+}
+
+std::optional<R2::Image> SceneImages::With(const MistakeList& mistakes) {
+  const MistakeList before = BeforeRendering(mistakes);
+  auto& light = light_[before];
+  if (!light) light = Light(before);
+  if (light->Width() == 0) return {};
+  return Shown(*light, mistakes);
+}
+
+R2::Image SceneImages::AsOfAnother(const MistakeList& mistakes) const {
+  R2::Image image = Shown(Light(BeforeRendering(mistakes), {0.11, -0.07}), mistakes);
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) {
+      const R2::Color c = image.At(x, y);
+      image.Set(x, y, {R2::ToByte(c.r) / 255.0, R2::ToByte(c.g) / 255.0, R2::ToByte(c.b) / 255.0});
+    }
+  return image;
+}
+
+R2::Image SceneImages::Cells(const R2::Image& image) const {
+  const int side = CellSide();
+  if (side == 1) return image;
+  R2::Image cells((image.Width() + side - 1) / side, (image.Height() + side - 1) / side);
+  for (int y = 0; y < cells.Height(); ++y)
+    for (int x = 0; x < cells.Width(); ++x) {
+      R2::Color sum;
+      int count = 0;
+      for (int j = side * y; j < std::min(side * (y + 1), image.Height()); ++j)
+        for (int i = side * x; i < std::min(side * (x + 1), image.Width()); ++i) sum += image.At(i, j), ++count;
+      cells.Set(x, y, sum / count);
+    }
+  return cells;
+}
+
+std::string SceneImages::RayTreeAt(int x, int y) const {
+  constexpr std::size_t most_rays = 24;
+  const PixelTracer tracer(built_->world, *built_->accelerator, built_->scene.settings);
+  std::string tree = RayTree(tracer.Trace(x, y, 1), built_->world, built_->scene.settings, most_rays);
+  // Students know the scene by its name, not by the folder where the grader keeps it.
+  const std::string folder = file_.substr(0, file_.rfind('/') + 1);
+  for (std::size_t at = tree.find(folder); !folder.empty() && at != std::string::npos; at = tree.find(folder, at))
+    tree.erase(at, folder.size());
+  return tree;
+}
+
+}  // namespace ray::grade

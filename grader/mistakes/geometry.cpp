@@ -1,0 +1,79 @@
+#include "grader/mistakes/Tables.h"
+
+#include "grader/Changes.h"
+
+namespace ray::grade {
+
+extern const MistakeTable geometry_mistakes{
+    {.name = "normal_by_matrix",
+     .title = "normals are transformed like points",
+     .expected = "Normals go by the inverse transpose of the matrix that moves points.",
+     .hint = "Look at a sphere that is scaled along one axis.",
+     .make = [](Variant& v) { v.rules.normal = ShadingRules::Normal::by_matrix; }},
+    {.name = "normal_untransformed",
+     .title = "normals are not transformed",
+     .expected = "A normal found in the object's own frame has to be brought into the world.",
+     .hint = "Look at the shading of something that is rotated.",
+     .make = [](Variant& v) { v.rules.normal = ShadingRules::Normal::untransformed; }},
+    {.name = "normal_inward",
+     .title = "normals point inward",
+     .expected = "N points outward, or to the side that the ray came from.",
+     .hint = "Which sign has N.L on the lit side?",
+     .make = [](Variant& v) { v.rules.normal = ShadingRules::Normal::inward; }},
+    {.name = "normal_not_facing",
+     .title = "normals are not turned to the viewer",
+     .expected = "A surface seen from behind is shaded with the normal on the viewer's side.",
+     .hint = "Look at the inside of something open, or at a wall from behind.",
+     .make = [](Variant& v) { v.rules.normal = ShadingRules::Normal::not_facing; }},
+    {.name = "normal_not_normalized",
+     .title = "normals are not of unit length",
+     .expected = "N has length 1 before any dot product is taken.",
+     .hint = "Do spheres of another radius, or scaled ones, have another brightness?",
+     .make = [](Variant& v) { v.rules.normal = ShadingRules::Normal::not_normalized; }},
+    {.name = "flat_shading",
+     .title = "meshes are shaded flat",
+     .expected = "Normals at the corners are blended by the barycentric coordinates of the hit.",
+     .hint = "Can you see the triangles?",
+     .make = [](Variant& v) { v.rules.normal = ShadingRules::Normal::flat; }},
+    {.name = "transforms_reversed",
+     .title = "nested transforms are multiplied in the wrong order",
+     .expected = "A point goes through its own matrix first, then through its parent's: M = M_parent M_child.",
+     .hint = "Which of two nested groups acts first?",
+     .make = [](Variant& v) { ReverseTransforms(v.OwnScene()); }},
+    {.name = "transforms_ignored",
+     .title = "transforms are ignored",
+     .expected = "Every shape is placed by the matrices of the groups around it.",
+     .hint = "Is everything where its own line puts it?",
+     .make = [](Variant& v) { ChangeTransforms(v.OwnScene(), [](const R3::Matrix&) { return R3::Matrix{}; }); }},
+    {.name = "matrix_transposed",
+     .title = "matrices are read by columns",
+     .expected = "Matrices are in row-major order, for column vectors: the translation is the last column.",
+     .hint = "Do things turn the other way round?",
+     .make =
+         [](Variant& v) {
+           ChangeTransforms(v.OwnScene(), [](const R3::Matrix& matrix) {
+             R3::Matrix transposed = matrix;
+             for (std::size_t i = 0; i < 3; ++i)
+               for (std::size_t j = 0; j < 3; ++j) transposed.m[i][j] = matrix.m[j][i];
+             return transposed;
+           });
+         }},
+    {.name = "spheres_missing",
+     .title = "spheres are missing",
+     .expected = "The camera ray meets a sphere where |o + t d - c| = r; the nearest t in front of the eye counts.",
+     .hint = "Does the quadratic equation find a root for a ray through the middle?",
+     .make =
+         [](Variant& v) {
+           RemoveShapes(v.OwnScene(), [](const R3::Shape& shape) { return shape.AsSphere().has_value(); });
+         }},
+    {.name = "triangles_missing",
+     .title = "triangles and polygons are missing",
+     .expected = "A hit of the plane is a hit of the triangle if it is inside all three edges.",
+     .hint = "Does your test depend on the order of the corners?",
+     .make =
+         [](Variant& v) {
+           RemoveShapes(v.OwnScene(), [](const R3::Shape& shape) { return !shape.IsSolid() && shape.IsBounded(); });
+         }},
+};
+
+}  // namespace ray::grade

@@ -1,0 +1,110 @@
+#include "grader/mistakes/Tables.h"
+
+#include <numbers>
+
+#include "grader/Changes.h"
+
+namespace ray::grade {
+
+extern const MistakeTable lights_mistakes{
+    {.name = "light_color_ignored",
+     .title = "the color of lights is ignored",
+     .expected = "All terms of a light are multiplied, channel by channel, by its color.",
+     .hint = "Try one red light.",
+     .make =
+         [](Variant& v) {
+           ChangeLights(v.OwnScene(), [](LightArguments& light) {
+             for (const char* channel : {"r", "g", "b"})
+               if (double* value = light.At(channel); value && *value > 0) *value = 1;
+           });
+         }},
+    {.name = "first_light_only",
+     .title = "only the first light counts",
+     .expected = "The terms of all lights are added up.",
+     .hint = "Does the loop over the lights end early?",
+     .make = [](Variant& v) { v.rules.lights = ShadingRules::Lights::first; }},
+    {.name = "last_light_only",
+     .title = "only the last light counts",
+     .expected = "The terms of all lights are added up.",
+     .hint = "Is the sum kept from one light to the next?",
+     .make = [](Variant& v) { v.rules.lights = ShadingRules::Lights::last; }},
+    {.name = "no_attenuation",
+     .title = "light does not fade with distance",
+     .expected = "Light from a place arrives divided by ca + la d + qa d^2, d the distance.",
+     .hint = "Move a point light away: the scene should darken.",
+     .make =
+         [](Variant& v) {
+           ChangeLights(v.OwnScene(), [](LightArguments& light) {
+             if (light.kind == "dir_light") return;
+             if (double* ca = light.At("ca")) *ca = 1, *light.At("la") = 0, *light.At("qa") = 0;
+           });
+         }},
+    {.name = "inverse_square_always",
+     .title = "light always fades with the square of the distance",
+     .expected = "Light fades as the scene file says: divided by ca + la d + qa d^2.",
+     .hint = "Which of the three coefficients does your program read?",
+     .make =
+         [](Variant& v) {
+           ChangeLights(v.OwnScene(), [](LightArguments& light) {
+             if (double* ca = light.At("ca")) *ca = 0, *light.At("la") = 0, *light.At("qa") = 1;
+           });
+         }},
+    {.name = "spot_cutoff_ignored",
+     .title = "spot lights have no cone",
+     .expected = "Beyond its cut-off angle a spot light gives nothing.",
+     .hint = "Look for the rim of the cone on the floor.",
+     .make =
+         [](Variant& v) {
+           ChangeLights(v.OwnScene(), [](LightArguments& light) {
+             if (double* cutoff = light.At("sc")) *cutoff = std::numbers::pi;
+           });
+         }},
+    {.name = "spot_exponent_ignored",
+     .title = "spot lights do not fade towards the rim",
+     .expected = "Within the cone, light is multiplied by the cosine of the angle to the axis, to the power sd.",
+     .hint = "How bright is the middle of the cone beside its rim?",
+     .make =
+         [](Variant& v) {
+           ChangeLights(v.OwnScene(), [](LightArguments& light) {
+             if (double* exponent = light.At("sd")) *exponent = 0;
+           });
+         }},
+    {.name = "spot_whole_angle",
+     .title = "the cut-off angle of spot lights is taken for the whole cone",
+     .expected = "The cut-off is the angle between axis and rim: half of the cone.",
+     .hint = "Is the lit disc half as wide as expected?",
+     .make =
+         [](Variant& v) {
+           ChangeLights(v.OwnScene(), [](LightArguments& light) {
+             if (double* cutoff = light.At("sc")) *cutoff /= 2;
+           });
+         }},
+    {.name = "directional_reversed",
+     .title = "directional lights shine backwards",
+     .expected = "A directional light's vector is where the light goes; towards the light is its opposite.",
+     .hint = "Which side of a sphere is lit?",
+     .make =
+         [](Variant& v) {
+           ChangeLights(v.OwnScene(), [](LightArguments& light) {
+             for (const char* axis : {"dx", "dy", "dz"})
+               if (double* value = light.At(axis); value && light.kind == "dir_light") *value = -*value;
+           });
+         }},
+    {.name = "no_shadows",
+     .title = "no shadows",
+     .expected = "A light counts only where nothing lies between the point and the light.",
+     .hint = "Is a ray sent from the point to each light?",
+     .make = [](Variant& v) { v.settings.trace.shadows = false; }},
+    {.name = "shadows_beyond_light",
+     .title = "objects beyond a light cast shadows",
+     .expected = "Only what is nearer than the light blocks it: hits farther away than the light do not count.",
+     .hint = "Compare the distance of the hit with that of the light.",
+     .make = [](Variant& v) { v.rules.shadow = ShadingRules::Shadow::beyond_light; }},
+    {.name = "shadow_of_next_light",
+     .title = "each light has the shadows of another one",
+     .expected = "Each light is blocked by what lies towards this light.",
+     .hint = "Which light's position does the shadow ray get?",
+     .make = [](Variant& v) { v.rules.shadow = ShadingRules::Shadow::of_next_light; }},
+};
+
+}  // namespace ray::grade

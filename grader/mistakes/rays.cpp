@@ -1,0 +1,82 @@
+#include "grader/mistakes/Tables.h"
+
+#include "grader/Changes.h"
+
+namespace ray::grade {
+
+extern const MistakeTable rays_mistakes{
+    {.name = "no_reflection",
+     .title = "no reflections",
+     .expected = "What a mirror ray sees is added, weighted by the mirror's reflectance.",
+     .hint = "Is a ray sent on from mirrors?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.kr = {}; }); }},
+    {.name = "one_bounce_less",
+     .title = "one bounce too few",
+     .expected = "Rays are followed for as many bounces as the maximum depth says.",
+     .hint = "Is the camera ray counted as a bounce?",
+     .make =
+         [](Variant& v) {
+           if (v.settings.trace.max_depth > 0) --v.settings.trace.max_depth;
+         }},
+    {.name = "one_bounce_more",
+     .title = "one bounce too many",
+     .expected = "Rays are followed for as many bounces as the maximum depth says.",
+     .hint = "Is the depth compared with < or with <=?",
+     .make = [](Variant& v) { ++v.settings.trace.max_depth; }},
+    {.name = "reflection_not_weighted",
+     .title = "reflections at full strength",
+     .expected = "What the mirror ray sees is multiplied by the reflectance, channel by channel.",
+     .hint = "What multiplies the color that the mirror ray returns?",
+     .make =
+         [](Variant& v) {
+           ChangeMaterials(v.OwnScene(), [](Material& m) {
+             if (!IsBlack(m.kr)) m.kr = {1, 1, 1};
+           });
+         }},
+    {.name = "reflection_in_surface_color",
+     .title = "reflections tinted by the diffuse color",
+     .expected = "What the mirror ray sees is multiplied by the mirror's reflectance only.",
+     .hint = "Which color multiplies the reflection?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.kr = m.kr * m.kd; }); }},
+    {.name = "no_transmission",
+     .title = "nothing is seen through transparent surfaces",
+     .expected = "What is seen through a surface is added, weighted by its transmittance.",
+     .hint = "Is a ray sent on through glass?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.kt = {}; }); }},
+    {.name = "not_refracted",
+     .title = "rays go straight through glass",
+     .expected = "Snell's law: n1 sin a1 = n2 sin a2, with both angles to the normal.",
+     .hint = "Hold a straight line behind the glass: is it bent?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.ir = 1; }); }},
+    {.name = "refraction_inverted",
+     .title = "the index of refraction is inverted",
+     .expected = "On entering, sin a2 = sin a1 / n; on leaving, sin a2 = n sin a1.",
+     .hint = "Do rays bend towards the normal as they enter?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.ir = 1 / m.ir; }); }},
+    {.name = "leaving_is_entering",
+     .title = "rays that leave glass bend as if they entered it",
+     .expected = "On leaving, the roles of the two indices are swapped.",
+     .hint = "How does your program know that a ray is inside?",
+     .make = [](Variant& v) { v.rules.leaving_is_entering = true; }},
+    {.name = "entering_is_leaving",
+     .title = "rays that enter glass bend as if they left it",
+     .expected = "On entering, the ratio of the indices is 1 / n.",
+     .hint = "How does your program know that a ray is outside?",
+     .make = [](Variant& v) { v.rules.always_leaves_glass = true; }},
+    {.name = "total_reflection_lost",
+     .title = "glass reflects nothing, not even where no light can leave it",
+     .expected = "Light that is not refracted is reflected; where no ray can leave, all of it is.",
+     .hint = "What happens where the root in Snell's law has no solution?",
+     .make = [](Variant& v) { v.settings.trace.fresnel = v.settings.trace.internal_reflection = false; }},
+    {.name = "no_fresnel",
+     .title = "glass does not reflect by its angle",
+     .expected = "Fresnel's equations share light between the reflected and the refracted ray.",
+     .hint = "Is a glass sphere brighter near its rim?",
+     .make =
+         [](Variant& v) {
+           if (v.settings.trace.fresnel) v.settings.trace.internal_reflection = true;
+           v.settings.trace.fresnel = false;
+         }},
+};
+
+}  // namespace ray::grade

@@ -1,0 +1,65 @@
+#include "grader/mistakes/Tables.h"
+
+#include "grader/Changes.h"
+
+namespace ray::grade {
+
+extern const MistakeTable shading_mistakes{
+    {.name = "no_ambient",
+     .title = "no ambient light",
+     .expected = "Every surface reflects ka Ia, lit or not: I = ka Ia + sum over the lights.",
+     .hint = "Look at a place in full shadow: it should not be black.",
+     .make = [](Variant& v) { v.OwnScene().ambient = {}; }},
+    {.name = "ambient_per_light",
+     .title = "ambient light added once per light",
+     .expected = "ka Ia is added once per point, outside of the sum over the lights.",
+     .hint = "Count how often the ambient term is added where two lights shine.",
+     .make =
+         [](Variant& v) {
+           Scene& scene = v.OwnScene();
+           scene.ambient = static_cast<double>(scene.lights.size()) * scene.ambient;
+         }},
+    {.name = "no_diffuse",
+     .title = "no diffuse term",
+     .expected = "Diffuse reflection is kd (N.L) IL, for each light that a point sees.",
+     .hint = "Away from highlights, does turning a light off change anything?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.kd = {}; }); }},
+    {.name = "no_highlight",
+     .title = "no highlights",
+     .expected = "Phong's highlight is ks (V.R)^n IL, with R the light's direction mirrored about the normal.",
+     .hint = "Look for a bright spot on the shiniest surface.",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.ks = {}; }); }},
+    {.name = "exponent_ignored",
+     .title = "the shininess exponent is ignored",
+     .expected = "The highlight is (V.R) to the power of the material's exponent n.",
+     .hint = "How large is the highlight as n grows?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.n = 1; }); }},
+    {.name = "half_vector",
+     .title = "the half vector in place of the mirrored light",
+     .expected =
+         "This course's highlight is (V.R)^n: R is the light's direction mirrored about N, V points to the viewer.",
+     .hint = "(N.H)^n is Blinn's highlight, which is wider than Phong's.",
+     .make = [](Variant& v) { v.rules.half_vector = true; }},
+    {.name = "highlight_in_surface_color",
+     .title = "highlights tinted by the diffuse color",
+     .expected = "The highlight is ks (V.R)^n IL; kd has no part in it.",
+     .hint = "Compare the color of the highlight with that of the light.",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.ks = m.ks * m.kd; }); }},
+    {.name = "highlight_in_shadow",
+     .title = "highlights in places that do not see the light",
+     .expected = "A light that is blocked gives neither its diffuse term nor its highlight.",
+     .hint = "What does your shadow test skip: the whole light, or one term?",
+     .make = [](Variant& v) { v.rules.highlight_in_shadow = true; }},
+    {.name = "no_cosine",
+     .title = "no cosine: surfaces are as bright at any angle to the light",
+     .expected = "Diffuse reflection falls with the cosine N.L of the angle to the light.",
+     .hint = "How bright is a sphere near the line where light and shade meet?",
+     .make = [](Variant& v) { v.rules.cosine = ShadingRules::Cosine::none; }},
+    {.name = "absolute_cosine",
+     .title = "light from behind the surface counts",
+     .expected = "Where N.L is not positive, the light is behind the surface and adds nothing.",
+     .hint = "What happens to a negative N.L?",
+     .make = [](Variant& v) { v.rules.cosine = ShadingRules::Cosine::absolute; }},
+};
+
+}  // namespace ray::grade

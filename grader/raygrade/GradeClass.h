@@ -1,0 +1,11 @@
+#pragma once
+
+#include "grader/Options.h"
+
+namespace ray::raygrade {
+
+/// Does what the options ask: grades a student or a class, tries all mistakes, or prints a new suite. Returns an exit
+/// status; throws UsageError, SceneErrors and OutputError.
+int Grade(const GradeOptions& options);
+
+}  // namespace ray::raygrade

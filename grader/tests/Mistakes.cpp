@@ -1,0 +1,208 @@
+#include "grader/Mistake.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "source/accelerate/Accelerator.h"
+#include "grader/raygrade/LoadScene.h"
+#include "grader/Changes.h"
+#include "grader/Grader.h"
+#include "grader/Matrix.h"
+#include "grader/RuledShading.h"
+#include "source/render/Render.h"
+#include "tests/Project.h"
+#include "tests/source/app/Program.h"
+
+namespace ray::testing {
+namespace {
+
+grade::Suite SuiteNamed(const std::string& course) {
+  return grade::ReadSuite((project::Root() / "share/suites" / course / "suite.yaml").string());
+}
+
+/// The suite with small images, so that a test takes a second.
+grade::Suite SmallSuite(const std::string& course) {
+  grade::Suite suite = SuiteNamed(course);
+  for (grade::SuiteScene& scene : suite.scenes) scene.width = scene.width / 2, scene.height = scene.height / 2;
+  return suite;
+}
+
+TEST(Mistakes, EachHasAUniqueNameAndAHint) {
+  std::set<std::string> names;
+  for (const grade::Mistake* mistake : grade::Mistakes()) {
+    EXPECT_TRUE(names.insert(mistake->name).second) << mistake->name;
+    EXPECT_GT(std::string(mistake->expected).size(), 20U) << mistake->name;
+    EXPECT_GT(std::string(mistake->hint).size(), 10U) << mistake->name;
+  }
+  EXPECT_GE(names.size(), 35U);
+}
+
+TEST(Mistakes, RulesOfTheEquationGiveTheImageOfModeWhitted) {
+  for (const char* course : {"cos426", "cs315", "comp30019"}) {
+    const grade::Suite suite = SmallSuite(course);
+    for (const grade::SuiteScene& of : suite.scenes) {
+      const grade::SceneToRender loaded = raygrade::LoadScene(of, of.file);
+      const World world(loaded.scene);
+      const auto accelerator = FindAcceleratorKind("auto")->Make(world, loaded.accelerator);
+      const TraceSettings trace = TraceSettingsOf(loaded.settings);
+      const grade::RuledShading ruled(world, *accelerator, trace, {});
+      const R2::Image expected = Render(world, *accelerator, loaded.settings).image;
+      const R2::Image actual = Render(world, ruled, loaded.settings).image;
+      for (std::size_t i = 0; i < expected.Channels().size(); ++i)
+        ASSERT_NEAR(actual.Channels()[i], expected.Channels()[i], 1e-6) << of.file;
+    }
+  }
+}
+
+// Mistakes are made in copies of one scene: what a copy lost would be taken for a mistake of the student.
+TEST(Mistakes, ACopiedSceneIsRenderedAsTheOriginal) {
+  for (const char* course : {"cos426", "groningen", "cs315", "comp30019", "infogr"}) {
+    const grade::Suite suite = SmallSuite(course);
+    for (const grade::SuiteScene& of : suite.scenes) {
+      const grade::SceneToRender loaded = raygrade::LoadScene(of, of.file);
+      const Scene copy = grade::Copied(loaded.scene);
+      const auto rendered = [&](const Scene& scene) {
+        const World world(scene);
+        const auto accelerator = FindAcceleratorKind("auto")->Make(world, loaded.accelerator);
+        return Render(world, *accelerator, loaded.settings).image;
+      };
+      EXPECT_EQ(rendered(copy).Channels(), rendered(loaded.scene).Channels()) << of.file;
+    }
+  }
+}
+
+TEST(Mistakes, NoneChangesTheSceneItIsMadeOf) {
+  const grade::Suite suite = SmallSuite("cos426");
+  const grade::SuiteScene& of = suite.scenes.front();
+  const grade::SceneToRender loaded = raygrade::LoadScene(of, of.file);
+  grade::Variant variant(loaded.scene, loaded.settings);
+  EXPECT_EQ(&variant.scene(), &loaded.scene);
+  variant.OwnScene().materials.at(0).kd = {};
+  EXPECT_NE(&variant.scene(), &loaded.scene);
+  EXPECT_NE(loaded.scene.materials.at(0).kd, R2::Color());
+}
+
+class MistakesOfCourse : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(MistakesOfCourse, AreNeverNamedWronglyAndNearlyAlwaysNamed) {
+  constexpr std::size_t most_scenes = 3;  // that take some seconds; raygrade -matrix tries all
+  grade::Suite suite = SmallSuite(GetParam());
+  if (suite.scenes.size() > most_scenes) suite.scenes.erase(suite.scenes.begin() + most_scenes, suite.scenes.end());
+  grade::Grader grader(suite, {}, raygrade::LoadScene);
+  const grade::MatrixCounts counts = TryMistakes(grader.Scenes(), 0);
+  std::string lines;
+  for (const std::string& line : counts.lines) lines += line + "\n";
+  EXPECT_EQ(counts.wrong, 0) << lines;
+  EXPECT_LE(counts.by_name, counts.right);
+  EXPECT_GT(counts.by_name, counts.right / 2) << lines;
+  EXPECT_LE(counts.silent, counts.right / 20) << lines;
+  EXPECT_GT(counts.right, 50) << lines;
+}
+INSTANTIATE_TEST_SUITE_P(Suites, MistakesOfCourse, ::testing::Values("cs315", "infogr"));
+
+TEST(Mistakes, TheCos426SuiteShowsEachOfThem) {
+  const grade::Suite suite = SuiteNamed("cos426");
+  grade::Grader grader(suite, {}, raygrade::LoadScene);
+  for (const grade::Mistake* mistake : grade::Mistakes())
+    EXPECT_TRUE(std::ranges::any_of(grader.Scenes(), [&](const auto& images) { return IsVisible(*images, {mistake}); }))
+        << mistake->name;
+}
+
+/// What is said of an image in a scene of a suite.
+grade::SceneResult Judged(const R2::Image& student, const grade::Suite& suite, grade::SceneImages& images) {
+  grade::SceneResult result;
+  result.points = 1;
+  Judge({student}, false, suite, images, result);
+  return result;
+}
+
+/// That scene of a suite, at its full size.
+struct OneScene {
+  OneScene(const std::string& course, const std::string& scene) : suite(SuiteNamed(course)) {
+    std::erase_if(suite.scenes, [&](const grade::SuiteScene& one) { return one.name != scene; });
+    grader.emplace(suite, grade::GraderSettings{}, raygrade::LoadScene);
+  }
+  grade::SceneImages& Images() { return *grader->Scenes().at(0); }
+  grade::Suite suite;
+  std::optional<grade::Grader> grader;
+};
+
+// A program of Groningen without a buffer of normals showed ambient light instead, and was told that its camera looks
+// backwards: that image is black, and black was nearer to what is dark than normals were.
+TEST(Mistakes, WhatIsDarkIsNotTakenForBlack) {
+  OneScene scene("groningen", "normals");
+  R2::Image dim = scene.Images().Reference();
+  for (int y = 0; y < dim.Height(); ++y)
+    for (int x = 0; x < dim.Width(); ++x)
+      if (Luminance(dim.At(x, y)) > 0) dim.Set(x, y, {0.06, 0.16, 0.14});
+  const grade::SceneResult result = Judged(dim, scene.suite, scene.Images());
+  EXPECT_EQ(result.outcome, grade::SceneResult::Outcome::different) << result.headline;
+}
+
+const grade::Mistake* MistakeNamed(std::string_view name) {
+  return *std::ranges::find_if(grade::Mistakes(), [&](const auto* one) { return one->name == name; });
+}
+
+// Edges moved by half a pixel leave dark specks, which were taken for shadow acne.
+TEST(Mistakes, RaysThroughCornersAreNoAcne) {
+  OneScene scene("cs315", "shadows");
+  const auto student = scene.Images().With({MistakeNamed("half_a_pixel")});
+  const grade::SceneResult result = Judged(*student, scene.suite, scene.Images());
+  EXPECT_EQ(result.mistakes, "half_a_pixel") << result.headline;
+}
+
+TEST(Mistakes, DarkSpecksOnLitSurfacesAreAcne) {
+  OneScene scene("cs315", "shadows");
+  R2::Image student = scene.Images().Reference();
+  for (int y = 1; y < student.Height(); y += 3)
+    for (int x = 1 + y % 2; x < student.Width(); x += 4) student.Set(x, y, 0.4 * student.At(x, y));
+  const grade::SceneResult result = Judged(student, scene.suite, scene.Images());
+  ASSERT_EQ(result.remarks.size(), 1U) << result.headline;
+  EXPECT_TRUE(Has(result.remarks[0], "Shadow acne")) << result.remarks[0];
+}
+
+// The second of two was chosen for a first that stood for another, and light that falls with the square was named.
+TEST(Mistakes, TheFirstOfTwoIsLookedForAgain) {
+  OneScene scene("groningen", "shadows");
+  const R2::Image student =
+      scene.Images().AsOfAnother({MistakeNamed("spheres_missing"), MistakeNamed("divided_by_pi")});
+  const std::string named = Judged(student, scene.suite, scene.Images()).mistakes;
+  EXPECT_TRUE(Has(named, "spheres_missing") && Has(named, "divided_by_pi")) << named;
+}
+
+TEST(Mistakes, AThinSurfaceLitFromBehindShowsAnAbsoluteCosine) {
+  OneScene scene("infogr", "spot");
+  EXPECT_TRUE(IsVisible(scene.Images(), {MistakeNamed("absolute_cosine")}));
+}
+
+TEST(Mistakes, ShadowsWhereLightGrazesASmoothMeshAreTold) {
+  OneScene scene("cos426", "smooth");
+  const auto closed = scene.Images().With({MistakeNamed("no_diffuse"), MistakeNamed("no_highlight")}),
+             flat = scene.Images().With({MistakeNamed("flat_shading")});
+  R2::Image student = scene.Images().Reference();
+  for (int y = 0; y < student.Height(); ++y)
+    for (int x = 0; x < student.Width(); ++x) {
+      const bool is_smooth = grade::LargestChannel(student.At(x, y) - flat->At(x, y)) > 0.05;
+      const bool grazes = grade::LargestChannel(student.At(x, y) - closed->At(x, y)) < 0.15;
+      if (is_smooth && grazes) student.Set(x, y, closed->At(x, y));
+    }
+  const grade::SceneResult result = Judged(student, scene.suite, scene.Images());
+  ASSERT_EQ(result.remarks.size(), 1U) << result.headline;
+  EXPECT_TRUE(Has(result.remarks[0], "Shadow terminator")) << result.remarks[0];
+}
+
+TEST(Mistakes, AnotherCorrectProgramMakesNone) {
+  const grade::Suite suite = SmallSuite("cos426");
+  grade::Grader grader(suite, {}, raygrade::LoadScene);
+  for (const auto& images : grader.Scenes()) {
+    const grade::SceneResult result = Judged(images->AsOfAnother({}), suite, *images);
+    EXPECT_EQ(result.outcome, grade::SceneResult::Outcome::right) << images->scene().name << result.headline;
+  }
+}
+
+}  // namespace
+}  // namespace ray::testing
