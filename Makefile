@@ -3,8 +3,7 @@
 #   make test       the layer check, all tests, and a few pictures of the writeup
 #   make unit T=R3/Csg  builds and runs one test file, with nothing but the sources that it needs
 #   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
-#   make check      the layer check alone: who may include whom; that elementary functions are our own; that the
-#                   patches of script/price apply and compile; and that all who name packages name the same
+#   make check      who may include whom; that elementary functions are our own; that all who name packages name the same
 #   make tidy       clang-tidy over the library; TIDY=clang-tidy-19 for another one
 #   make asan tsan  the tests again under the sanitizers
 #   make web        the page that renders in a browser, under build/web; make web-test tests it, make site adds the docs
@@ -14,7 +13,6 @@
 #   make bench      the benchmark programs
 #   make tiny       the smallest tracer, as source and as executable, and how small it is
 #   make tradeoff   error over seconds for every knob, as CSV and plots under build/tradeoff; FULL=1 for hours
-#   make price      what features cost scenes that do not use them, and what single precision would
 #   make install    PREFIX=/usr/local DESTDIR= bindir= datadir= mandir= docdir=; make uninstall undoes it
 #   make installcheck  both of them, tried in a folder for it
 #   make dist       what is committed, as build/raypro-VERSION.tar.gz
@@ -107,7 +105,7 @@ objects = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(call alone,$(1))) \
           $(patsubst %,$(BUILD)/obj/%all.o,$(sort $(dir $(call together,$(1)))))
 
 .PHONY: all $(PROGRAMS) test unit unit-program night check tidy asan tsan fuzz fuzz-targets fuzz-scenes bench tiny tradeoff \
-        price install uninstall installcheck dist clean compile_commands test-binary FORCE
+        install uninstall installcheck dist clean compile_commands test-binary FORCE
 .PRECIOUS: $(BUILD)/obj/%.o $(BUILD)/jumbo/%/all.cpp
 all: $(PROGRAMS) $(BUILD)/compile_commands.json
 $(PROGRAMS): %: $(BUILD)/%
@@ -240,7 +238,6 @@ $(BUILD)/test: $(call objects,$(UNIT))
 check: $(BUILD)/obj/bench/kernels.o
 	@sh script/check_layers.sh
 	@sh script/check_functions.sh
-	@sh script/check_patches.sh
 	@sh script/check_packages.sh
 
 # g++ says itself that its sanitizers make it warn of variables that it takes for uninitialized, and that ThreadSanitizer
@@ -272,9 +269,6 @@ bench: $(patsubst bench/%.cpp,$(BUILD)/bench/%,$(call present,$(BENCH_SOURCES)))
 # The scripts say what they measure and which options they take: TRADEOFF="-search 50 hello lens".
 tradeoff: $(PROGRAMS)
 	$(FOR_TESTS) sh script/tradeoff.sh $(if $(FULL),-full) $(TRADEOFF)
-price: raypro rayimg
-	BUILD=$(BUILD) sh script/price_of_features.sh $(PRICE)
-	BUILD=$(BUILD) sh script/price_of_single.sh
 
 # The shell's quotes around anything.
 quoted = '$(subst ','\'',$(1))'

@@ -24,6 +24,7 @@ while [ $# -gt 0 ]; do
 done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+[ "$samples" -ge 2 ] || { echo "denoise_table.sh: -samples must be at least 2, got $samples" >&2; exit 2; }
 mkdir -p "$references" ${pictures:+"$pictures"}
 
 # id, scene, options: what the scene needs to show what it is about, and one shadow ray per light and sample.

@@ -75,6 +75,12 @@ TEST(Contributing, UnitsHaveWhatHeadersDeclareAndOtherFilesDefine) {
   }
 }
 
+TEST(Contributing, EveryScriptRunsAndMakeKnowsEveryTargetItLists) {
+  if (!std::getenv("RAYPRO") || !std::getenv("RAYIMG")) GTEST_SKIP() << "RAYPRO or RAYIMG is not set";
+  const std::string command = "'" + (project::Root() / "tests/scripts.sh").string() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+}
+
 TEST(Contributing, ItsExampleShapeRendersAndItsCommandsExist) {
   const char* const program = std::getenv("RAYPRO");
   const fs::path root = project::Root();

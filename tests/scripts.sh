@@ -1,0 +1,84 @@
+#!/bin/sh
+# Runs every script of script/, as little as it can do, or names what else runs it; and asks make for every target that
+# the Makefile lists. Prints what fails. RAYPRO_NIGHT=1 runs those as well that take long.
+#   usage: tests/scripts.sh [name ...]      RAYPRO, RAYIMG, RAYVIEW and RAYTESTS name the programs
+set -eu
+cd "$(dirname "$0")/.."
+build=$(dirname "$RAYPRO")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export RUNS=1 SIZES=160x120 OUT="$work" REFERENCE=8
+echo "background 1 1 1" > "$work/white.scn"
+
+# What this machine lacks is left out.
+lacks() { command -v "$1" > /dev/null || echo "$2"; }
+left_out="$([ -d ../shared ] || echo courses.sh) $(lacks patchelf tarball.sh)
+  $([ -n "${RAYVIEW-}" ] || echo preview_difference.sh viewer_screens.sh)"
+
+# The name of each, then its words, or "by" and the file that runs it, or "night" and its words.
+cat > "$work/table" <<END
+accelerator_choice.py night -width 8 -rounds 1 implicit
+advice.py $RAYPRO $work/white.scn
+art.sh night -small glass
+check_dist.sh night
+check_functions.sh by tests/R1/Elementary.cpp
+check_layers.sh by Makefile
+check_packages.sh by Makefile
+check_vectorized.sh night
+claims_table.sh -seeds 1 -size 8 -references $work/claims hello
+comp30019 -f scenes/comp30019/room.txt -o $work/room.png -w 16 -h 16
+compare_accelerators.sh scenes/sphere.scn
+courses.sh night ../shared
+denoise_table.sh -size 8 -samples 2 -references $work/denoise hello
+elementary.py by tests/R1/Elementary.cpp
+extremes_table.sh M1
+fuzz.sh by .github/workflows/weekly.yml
+install.sh by Makefile
+install_names.sh by script/install.sh
+movie.sh by tests/source/app/Scripts.cpp
+mutations.sh -count 1 -list
+other_architecture.sh night -emulator env -program $RAYPRO scenes/sphere.scn
+preview_difference.sh -size 16 scenes/hello.scn
+robustness.sh night -kills 1 -interrupts 1 -allocations 1
+run_tests.sh by Makefile
+runray.sh by Makefile
+session.sh by script/runray.sh
+setup.sh by .github/workflows/weekly.yml
+tarball.sh $build $work
+thumbnails.sh -check
+time_scenes.sh -size 8 scenes/sphere.scn
+tradeoff.sh -size 8 -seeds 1 -search 1 hello
+tradeoff_plots.sh by script/tradeoff.sh
+tsan_tbb.sh by .github/workflows/weekly.yml
+uninstall.sh by Makefile
+unit_sources.sh by Makefile
+update_docs.sh -check
+viewer_screens.sh night $work/screens scenes/sphere.scn
+wheel.py by script/wheel.sh
+wheel.sh by tests/python/test_wheel.py
+END
+
+failed=0
+fail() { echo "$*"; failed=1; }
+try() { "$@" > "$work/log" 2>&1 < /dev/null || fail "$*: $(tail -n 5 "$work/log")"; }
+
+for file in script/*.sh script/*.py script/comp30019; do
+  grep -q "^${file#script/} " "$work/table" || fail "the table of tests/scripts.sh lacks $file"
+done
+while read -r name how words; do
+  case " ${*:-$name} " in *" $name "*) ;; *) continue ;; esac
+  if echo "$left_out" | grep -qw "$name"; then echo "left out: $name"; continue; fi
+  # shellcheck disable=SC2086
+  case $how in
+    by) grep -q "$name" "$words" || fail "$words does not run $name" ;;
+    night) [ -z "${RAYPRO_NIGHT-}" ] || try "script/$name" $words ;;
+    *) try "script/$name" "$how" $words ;;
+  esac
+done < "$work/table"
+[ $# = 0 ] || exit $failed
+
+[ -z "${RAYPRO_NIGHT-}" ] || try sh tests/fresh/install.sh "$build"
+for target in $(sed -n 's/^#   make \([-a-z]*\).*/\1/p' Makefile); do
+  try make -n BUILD="$build" FUZZ_CXX="${CXX:-g++}" T=R3/Csg "$target"
+done
+exit $failed
