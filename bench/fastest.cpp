@@ -107,7 +107,8 @@ int Run(const Options& options) {
 int main(int argc, char** argv) {
   // Films of frame after frame keep their memory: to get its pages anew took a fourteenth of the time.
   mallopt(M_MMAP_THRESHOLD, 1 << 30), mallopt(M_TRIM_THRESHOLD, 1 << 30);
-  Options options{{"scene", "scenes/room.scn"}, {"size", "512"}, {"frames", "60"}, {"threads", "2"}, {"simd", "best"}};
+  RenderOptions options{
+      {"scene", "scenes/room.scn"}, {"size", "512"}, {"frames", "60"}, {"threads", "2"}, {"simd", "best"}};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const auto equals = word.find('=');

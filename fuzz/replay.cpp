@@ -4,7 +4,7 @@
 
 int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   ray::RunStats run;
-  run.options = ray::Defaults(ray::Program::raypro);
+  run.options = ray::RenderOptions();
   run.scene.hash = "0123456789abcdef";
   run.options.files.replay = fuzz::FileOf("report.json", {data, size});
   try {

@@ -3,7 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <vector>
+
+#include "source/app/options/Options.h"
 
 namespace ray::raygrade {
 
@@ -12,9 +13,11 @@ enum class SandboxMode { automatic, bubblewrap, limits };
 inline constexpr std::array sandbox_names{"auto", "bubblewrap", "limits"};
 constexpr const auto& NamesOf(SandboxMode) { return sandbox_names; }
 
-/// What raygrade is asked. Names, ranges and help are in source/app/options/RaygradeTable.cpp; the defaults are here.
-struct GradeOptions {
-  std::vector<std::string> names;  // the suite, then the words of a student's command
+/// What raygrade is asked; its names are the suite, then the words of a student's command. Ranges and help are in
+/// Table.cpp; the defaults are here.
+struct GradeOptions : Options {
+  GradeOptions() : Options(Program::raygrade) {}
+
   std::string out = "graded";      // folder for pages and tables
   std::string results;             // file for Gradescope; empty: results.json in `out`
   std::string students;            // folder with one folder per student; empty: one student

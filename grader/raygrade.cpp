@@ -1,10 +1,10 @@
-// raygrade grades students' ray tracers. Its options are in options/RaygradeTable.cpp.
+// raygrade grades students' ray tracers. Its options are in raygrade/Table.cpp.
 #include <string>
 #include <vector>
 
+#include "source/app/Answers.h"
 #include "source/app/GuardedMain.h"
 #include "source/app/Status.h"
-#include "source/app/Tasks.h"
 #include "source/app/options/CommandLine.h"
 #include "grader/raygrade/GradeClass.h"
 
@@ -12,9 +12,9 @@ namespace ray {
 namespace {
 
 int Run(const std::vector<std::string>& words) {
-  const Options options = ReadCommandLine(Program::raygrade, words);
-  if (options.task == Task::grade) return raygrade::Grade(options.grade);
-  DoTask(options);
+  const auto options = ReadCommandLine<raygrade::GradeOptions>(Program::raygrade, words);
+  if (!options.request) return raygrade::Grade(options);
+  AnswerRequest(options);
   return status::done;
 }
 

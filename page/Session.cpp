@@ -7,12 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "source/app/PreparedScene.h"
 #include "source/app/Status.h"
 #include "source/app/manual/Listing.h"
 #include "source/app/options/CommandLine.h"
-#include "source/app/options/SceneSettings.h"
 #include "source/app/report/Check.h"
-#include "source/app/report/Memory.h"
 #include "source/film/Film.h"
 #include "source/parse/SceneError.h"
 #include "source/render/LayerColors.h"
@@ -35,10 +34,10 @@ using Bytes = std::vector<unsigned char>;
 constexpr const char* identity = "page";
 
 struct Session {
-  Options options;
-  ParsedScene parsed;
-  std::unique_ptr<const World> world;
-  std::unique_ptr<const Accelerator> accelerator;
+  explicit Session(const RenderOptions& asked) : scene(asked), prepared(scene) {}
+
+  const ReadScene scene;
+  const PreparedScene prepared;
   std::optional<Film> empty_film;
   RenderState state;  // of the round: what is due, and the samples that are there
   bool has_looked = false;
@@ -82,12 +81,12 @@ std::vector<std::string> Lines(const char* all) {
 }
 
 /// What asks for files, clocks or other machines has no meaning in a page.
-void RefuseOthers(const Options& options) {
+void RefuseOthers(const RenderOptions& options) {
 #ifndef RAYPRO_YAML
   if (options.files.scene.ends_with(".yaml") || options.files.scene.ends_with(".yml"))
     throw UsageError("this page was built without YAML; JSON with the same keys is read");
 #endif
-  if (options.task != Task::render) throw UsageError("a page takes the options of an image, not requests");
+  if (options.request) throw UsageError("a page takes the options of an image, not requests");
   for (const char* name : {"time", "part", "parts", "missing", "report", "replay", "reference", "layers", "out_folder",
                            "resume", "restart", "checkpoint", "keep_checkpoint", "allow_path"})
     if (options.IsGiven(name)) throw UsageError("-" + std::string(name) + " has no meaning in a page");
@@ -100,23 +99,15 @@ void Warn(const std::vector<std::string>& warnings) {
 int Open(const std::vector<std::string>& words) {
   session.reset();  // so that its memory can be used
   Warnings().clear();
-  auto opened = std::make_unique<Session>();
-  const Options asked = ReadCommandLine(Program::raypro, words);
+  const auto asked = ReadCommandLine(Program::raypro, words);
   RefuseOthers(asked);
-  CheckMachine(asked.render, asked.accelerator);
-  opened->parsed = Parse(asked.files.scene, asked.parse);
-  opened->options = WithSettingsOf(opened->parsed.scene, asked);
-  Warn(opened->parsed.warnings);
-  opened->world = std::make_unique<const World>(opened->parsed.scene);
-  const Options& options = opened->options;
-  CheckMemory(*opened->world, PictureBytes(options.render, options.files, false), options.memory);
-  Warn(opened->world->Warnings());
-  Warn(PlainMistakes(*opened->world, opened->options.render));
-  AcceleratorSettings structure = opened->options.accelerator;
-  structure.expected_rays = ExpectedRays(opened->options.render);
-  opened->accelerator = FindAcceleratorKind(structure.name)->Make(*opened->world, structure);
-  opened->empty_film = EmptyFilmOf(opened->options.render);
-  opened->state = FirstRound(opened->options.render, *opened->empty_film);
+  auto opened = std::make_unique<Session>(asked);
+  const RenderSettings& render = opened->scene.options.render;
+  Warn(opened->scene.parsed.warnings);
+  Warn(opened->prepared.world.Warnings());
+  Warn(PlainMistakes(opened->prepared.world, render));
+  opened->empty_film = EmptyFilmOf(render);
+  opened->state = FirstRound(render, *opened->empty_film);
   session = std::move(opened);
   text = Warnings();
   return status::done;
@@ -141,7 +132,7 @@ PassTargets FirstLook(const PassTargets& due) {
 
 /// Costs depend on what was traced before, and subsampled images are looks already.
 bool BeginsWithLook(const Session& of) {
-  return !of.has_looked && of.state.schedule.targets.places.empty() && !ShowsCosts(of.options.render.mode);
+  return !of.has_looked && of.state.schedule.targets.places.empty() && !ShowsCosts(of.scene.options.render.mode);
 }
 
 /// Changes what is due in the round to what is due in the next pass.
@@ -165,7 +156,7 @@ bool RenderPass(Session& of, const ImagePart& part) {
   RenderState pass = of.state;
   const std::uint32_t target = std::ranges::max(pass.schedule.targets.samples);
   LimitToPass(of, pass.schedule.targets);
-  RenderSettings settings = of.options.render;
+  RenderSettings settings = of.scene.options.render;
   settings.part = part;
   RenderMonitor monitor;
   monitor.resume = [&](const Film&) { return std::move(pass); };
@@ -173,7 +164,7 @@ bool RenderPass(Session& of, const ImagePart& part) {
     of.state.blocks = now.blocks;
     of.state.rays = now.rays;
   };
-  RenderPart(*of.world, *of.accelerator, settings, monitor);
+  RenderPart(of.prepared.world, *of.prepared.accelerator, settings, monitor);
   return of.pass_end < target;
 }
 
@@ -182,9 +173,9 @@ Bytes Preview(const Session& of, const ImagePart& part) {
   Film film = *of.empty_film;
   const std::vector<int> parts = PartsOfBlocks(film, part.of);
   for (int i = 0; i < film.Blocks(); ++i) film[i] = of.state.blocks[static_cast<std::size_t>(i)];
-  const RenderSettings& render = of.options.render;
+  const RenderSettings& render = of.scene.options.render;
   const R2::Image shown = LayerAsShown(render.mode, film.Picture(render.quantization));
-  const Bytes ppm = R2::FormatForName("image.ppm")->encode(shown, of.options.encoding, {});
+  const Bytes ppm = R2::FormatForName("image.ppm")->encode(shown, of.scene.options.encoding, {});
   const auto pixels = static_cast<std::size_t>(film.Region().Area());
   const unsigned char* rgb = ppm.data() + (ppm.size() - 3 * pixels);
   Bytes rgba;
@@ -199,13 +190,13 @@ Bytes Preview(const Session& of, const ImagePart& part) {
 
 /// Decides about the next round once all parts are there. Returns whether there is one; else the image is finished.
 bool FinishRound(Session& of) {
-  if (auto next = NextRound(*of.world, *of.accelerator, of.options.render, of.state)) {
+  if (auto next = NextRound(of.prepared.world, *of.prepared.accelerator, of.scene.options.render, of.state)) {
     of.state = std::move(*next);
     return true;
   }
   RenderMonitor monitor;
   monitor.resume = [&](const Film&) { return std::move(of.state); };
-  of.result = Render(*of.world, *of.accelerator, of.options.render, monitor);
+  of.result = Render(of.prepared.world, *of.prepared.accelerator, of.scene.options.render, monitor);
   return false;
 }
 
@@ -214,14 +205,14 @@ Bytes FileOf(const Session& of, const std::string& name) {
   const R2::ImageFormat* const format = R2::FormatForName(name);
   if (!format) throw UsageError("cannot write " + Quoted(name));
   const R2::Image& image = of.result->image;
-  return format->encode(format->is_linear ? image : LayerAsShown(of.options.render.mode, image), of.options.encoding,
-                        {});
+  return format->encode(format->is_linear ? image : LayerAsShown(of.scene.options.render.mode, image),
+                        of.scene.options.encoding, {});
 }
 
 std::string RaysThrough(const Session& of, int x, int y) {
-  const RenderSettings& render = of.options.render;
+  const RenderSettings& render = of.scene.options.render;
   if (x < 0 || y < 0 || x >= render.width || y >= render.height) throw UsageError("the image has no such pixel");
-  return DebugPixel(*of.world, *of.accelerator, render, x, y);
+  return DebugPixel(of.prepared.world, *of.prepared.accelerator, render, x, y);
 }
 
 }  // namespace
@@ -263,8 +254,9 @@ EXPORT("open") int OpenScene(const char* words) {
 /// The text is what -check prints of the open scene.
 EXPORT("check") int Check() {
   return Guarded([] {
-    text = SceneSummary(*Opened().world, Opened().options.render);
-    for (const std::string& mistake : LikelyMistakes(*Opened().world, Opened().options.render)) text += mistake + "\n";
+    text = SceneSummary(Opened().prepared.world, Opened().scene.options.render);
+    for (const std::string& mistake : LikelyMistakes(Opened().prepared.world, Opened().scene.options.render))
+      text += mistake + "\n";
     return status::done;
   });
 }
@@ -277,10 +269,10 @@ EXPORT("list") int List(const char* subject) {
   });
 }
 
-EXPORT("left") int Left() { return session ? RegionOf(session->options.render).x0 : 0; }
-EXPORT("bottom") int Bottom() { return session ? RegionOf(session->options.render).y0 : 0; }
-EXPORT("width") int Width() { return session ? RegionOf(session->options.render).Width() : 0; }
-EXPORT("height") int Height() { return session ? RegionOf(session->options.render).Height() : 0; }
+EXPORT("left") int Left() { return session ? RegionOf(session->scene.options.render).x0 : 0; }
+EXPORT("bottom") int Bottom() { return session ? RegionOf(session->scene.options.render).y0 : 0; }
+EXPORT("width") int Width() { return session ? RegionOf(session->scene.options.render).Width() : 0; }
+EXPORT("height") int Height() { return session ? RegionOf(session->scene.options.render).Height() : 0; }
 
 /// Takes a pass of samples in part `index` of `of`, 1-based. The bytes are the image so far, r g b a. Returns 1 while
 /// more samples are due in this round, 0 when they are there.

@@ -1,15 +1,15 @@
 #include "grader/raygrade/LoadScene.h"
 
+#include "source/app/PreparedScene.h"
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
-#include "source/app/options/SceneSettings.h"
 #include "source/text/Words.h"
 
 namespace ray::raygrade {
 namespace {
 
 /// What raypro would be asked; size and bytes are the suite's.
-ray::Options OptionsFor(const grade::SuiteScene& scene, const std::string& file) {
+RenderOptions OptionsFor(const grade::SuiteScene& scene, const std::string& file) {
   std::vector<std::string> words{file, "reference.pfm"};
   for (const std::string& word : SplitWords(scene.options)) words.push_back(word);
   for (const auto& [option, value] : {std::pair{"-width", scene.width}, {"-height", scene.height}}) {
@@ -23,10 +23,8 @@ ray::Options OptionsFor(const grade::SuiteScene& scene, const std::string& file)
 
 grade::SceneToRender LoadScene(const grade::SuiteScene& scene, const std::string& file) {
   try {
-    const ray::Options asked = OptionsFor(scene, file);
-    ParsedScene parsed = Parse(file, asked.parse);
-    const ray::Options options = WithSettingsOf(parsed.scene, asked);
-    return {std::move(parsed.scene), options.render, options.accelerator};
+    ReadScene read(OptionsFor(scene, file));
+    return {std::move(read.parsed.scene), read.options.render, read.options.accelerator};
   } catch (const UsageError& error) {
     SceneError at = scene.options_at;
     at.message = error.what();

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
-#include "source/app/BuildAccelerator.h"
 #include "source/app/Interrupt.h"
+#include "source/app/PreparedScene.h"
 #include "source/app/Status.h"
 #include "source/app/files/Checkpoint.h"
 #include "source/app/files/Outputs.h"
 #include "source/app/files/PartFiles.h"
 #include "source/app/files/SceneHash.h"
-#include "source/app/options/CommandLine.h"
 #include "source/app/options/PictureName.h"
-#include "source/app/options/SceneSettings.h"
-#include "source/app/report/Memory.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Progress.h"
 #include "source/app/report/Resources.h"
@@ -25,25 +22,22 @@
 namespace ray {
 namespace {
 
-/// A scene that is read, and the options once it has had its say.
-struct ReadScene {
-  explicit ReadScene(const Options& asked)
-      : outputs(CheckOutputs(asked.files, RegionOf(asked.render))),
-        parsed(Parse(asked.files.scene, asked.parse)),
-        options(WithSettingsOf(parsed.scene, asked)),
+/// A scene of which a share is to be rendered.
+struct SharedScene : ReadScene {
+  explicit SharedScene(const RenderOptions& asked)
+      : ReadScene(asked),
+        outputs(CheckOutputs(asked.files, RegionOf(asked.render))),
         identity(IdentityOf(options, SceneHash(parsed.scene.files))) {
     RefuseInputs(outputs, parsed.scene.files);
     RefuseSize(*outputs.format, options.render.width, options.render.height);
     for (const std::string& line : parsed.warnings) PrintError(line);
   }
   Outputs outputs;
-  ParsedScene parsed;
-  Options options;
   std::string identity;  // see IdentityOf
 };
 
 /// What the part begins with: the round, with what an earlier run left of it.
-RenderState BeginningOf(PartReader& reader, const Options& options, const std::string& name) {
+RenderState BeginningOf(PartReader& reader, const RenderOptions& options, const std::string& name) {
   RenderState state = reader.Round();
   if (options.checkpoint.restart || !IsThere(name)) return state;
   auto earlier = reader.Read(name);
@@ -59,7 +53,7 @@ RenderState BeginningOf(PartReader& reader, const Options& options, const std::s
 /// this one did, and filters the image.
 ///   before_samples   what this process took for that, in seconds
 ///   filters          whether to leave time for them
-RenderSettings SettingsInTime(const Options& options, double before_samples, bool filters) {
+RenderSettings SettingsInTime(const RenderOptions& options, double before_samples, bool filters) {
   constexpr double least = 1e-3;  // seconds; 0 would be no limit
   RenderSettings settings = options.render;
   Budget& budget = settings.budget = BudgetWithFinish(settings, EncoderOf(options.files.picture, options.encoding));
@@ -69,45 +63,40 @@ RenderSettings SettingsInTime(const Options& options, double before_samples, boo
 }
 
 /// Whether the time that is left is as long as the first round took, which had the fewest samples.
-bool HasTimeForRound(const Options& options, const PartReader& reader, const RenderState& round) {
+bool HasTimeForRound(const RenderOptions& options, const PartReader& reader, const RenderState& round) {
   const double first = round.passes.empty() ? 0 : round.passes.front().seconds;
   return reader.SecondsSinceBegin().value_or(0) + first < options.render.budget.seconds;
 }
 
 /// Decides on what follows a round that is over; nothing when the image is done.
 ///   watch   runs since the process began
-std::optional<RenderState> PlannedRound(const ReadScene& scene, const PartReader& reader, RenderState&& round,
+std::optional<RenderState> PlannedRound(const SharedScene& scene, const PartReader& reader, RenderState&& round,
                                         const Stopwatch& watch) {
-  const World world(scene.parsed.scene);
-  CheckMemory(world, PictureBytes(scene.options.render, scene.options.files, scene.options.checkpoint.seconds > 0),
-              scene.options.memory);
-  const auto accelerator = BuildAccelerator(world, scene.options.accelerator, scene.options.render);
+  const PreparedScene prepared(scene);
   RenderMonitor monitor;
   monitor.seconds_before = reader.SecondsSinceBegin().value_or(0);
-  return NextRound(world, *accelerator, SettingsInTime(scene.options, watch.Total(), false), std::move(round), monitor);
+  return NextRound(prepared.world, *prepared.accelerator, SettingsInTime(scene.options, watch.Total(), false),
+                   std::move(round), monitor);
 }
 
-std::string FilesOfParts(const Options& options) {
+std::string FilesOfParts(const RenderOptions& options) {
   return options.parts.empty() ? options.files.picture + ".part-*-of-" + std::to_string(options.missing)
                                : options.parts;
 }
 
-int RenderOnePart(const Options& asked) {
+int RenderOnePart(const RenderOptions& asked) {
   const Stopwatch watch;
-  CheckMachine(asked.render, asked.accelerator);
-  const ReadScene scene(asked);
-  const Options& options = scene.options;
+  const SharedScene scene(asked);
+  const RenderOptions& options = scene.options;
   const std::string name = PartName(options.files.picture, *options.render.part);
-  const World world(scene.parsed.scene);
-  for (const std::string& line : world.Warnings()) PrintError(line);
-  CheckMemory(world, PictureBytes(options.render, options.files, options.checkpoint.seconds > 0), options.memory);
   CheckOutput(name, scene.parsed.scene.files);
   PartReader reader(options.render, options.files.picture, scene.identity);
   if (options.render.budget.seconds > 0 && !IsThere(PlanName(options.files.picture)))
     throw UsageError("-part with -time needs " + QuotedPath(PlanName(options.files.picture)) +
                      ", which records when the render began; -missing n writes it");
   RenderState beginning = BeginningOf(reader, options, name);
-  const auto accelerator = BuildAccelerator(world, options.accelerator, options.render);
+  const PreparedScene prepared(scene);
+  for (const std::string& line : prepared.world.Warnings()) PrintError(line);
 
   CatchInterrupts();
   Progress progress(ChooseProgressStyle(options.quiet));
@@ -123,17 +112,18 @@ int RenderOnePart(const Options& asked) {
     rays = state.rays.Total();
     writer.WritePart(RenderState(state));
   };
-  const bool is_done = RenderPart(world, *accelerator, SettingsInTime(options, watch.Total(), true), monitor);
+  const bool is_done =
+      RenderPart(prepared.world, *prepared.accelerator, SettingsInTime(options, watch.Total(), true), monitor);
   if (!options.quiet)
     WriteStandardOutput(Escaped(name) + " " + Counted(rays, "ray") + " " + Fixed(CpuSeconds(), 2) + " s CPU" +
                         (is_done ? "" : " (stopped; the same command continues)") + "\n");
   return StopSignal() != 0 ? status::killed_by + StopSignal() : status::done;
 }
 
-void PrintMissingParts(const Options& asked) {
+void PrintMissingParts(const RenderOptions& asked) {
   const Stopwatch watch;
-  const ReadScene scene(asked);
-  const Options& options = scene.options;
+  const SharedScene scene(asked);
+  const RenderOptions& options = scene.options;
   const bool is_timed = options.render.budget.seconds > 0;
   PartReader reader(options.render, options.files.picture, scene.identity);
   const PartWriter writer(options.render, options.files, scene.identity);
@@ -158,7 +148,7 @@ void PrintMissingParts(const Options& asked) {
 
 }  // namespace
 
-int DoShareOfImage(const Options& options) {
+int DoShareOfImage(const RenderOptions& options) {
   if (options.render.part) return RenderOnePart(options);
   PrintMissingParts(options);
   return status::done;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 
 /// What raypro does where many machines render one image: it cuts, plans and says what is missing. Assembling is a
 /// render that begins with the samples of the parts.
@@ -11,6 +11,6 @@ namespace ray {
 /// number per line. Where none are, it decides on the next round and writes its plan; it prints nothing when all that
 /// is left is assembling. With -time the first call writes a plan, too, since time counts from then on.
 ///   returns   the exit status
-int DoShareOfImage(const Options& options);
+int DoShareOfImage(const RenderOptions& options);
 
 }  // namespace ray

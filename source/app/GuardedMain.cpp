@@ -67,10 +67,8 @@ void ReserveMemory() {
   std::set_new_handler(GiveReserveBack);
 }
 
-int Guarded(Program program, const std::function<int()>& run) {
+int Guarded(const Program& program, const std::function<int()>& run) {
   const std::string name = NameOf(program) + ": ";
-  // rayimg's 1 says that pictures differ, and nothing else: scripts rely on it.
-  const int failed = program == Program::rayimg ? status::bad_scene : status::failed;
   try {
     return run();
   } catch (const UsageError& error) {
@@ -80,13 +78,13 @@ int Guarded(Program program, const std::function<int()>& run) {
   } catch (const OutputError& error) {
     return Fail(status::cannot_write, name + error.what());
   } catch (const std::bad_alloc&) {
-    return Fail(failed, name + "there is not enough memory");
+    return Fail(program.failed, name + "there is not enough memory");
   } catch (const std::exception& error) {
-    return Fail(failed, name + error.what());
+    return Fail(program.failed, name + error.what());
   }
 }
 
-int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::vector<std::string>& words)) {
+int GuardedMain(const Program& program, int argc, char** argv, int (*run)(const std::vector<std::string>& words)) {
   ReserveMemory();
   GuardStandardStreams();
   return Guarded(program, [&] {

@@ -14,11 +14,11 @@ void ReserveMemory();
 
 /// Runs a part of a program and turns what it throws into a message on standard error and into the exit status that the
 /// help promises, which is returned.
-int Guarded(Program program, const std::function<int()>& run);
+int Guarded(const Program& program, const std::function<int()>& run);
 
 /// Runs a whole program and turns what it throws into a message and an exit status.
 ///   run       gets the words behind the program's name, returns an exit status
 ///   returns   the exit status
-int GuardedMain(Program program, int argc, char** argv, int (*run)(const std::vector<std::string>& words));
+int GuardedMain(const Program& program, int argc, char** argv, int (*run)(const std::vector<std::string>& words));
 
 }  // namespace ray

@@ -1,12 +1,12 @@
 // rayimg compares, describes, converts, arranges and merges pictures, and makes movies of them. Its commands and their
-// options are in options/RayimgTable.cpp.
+// options are in rayimg/RayimgTable.cpp.
 #include <map>
 #include <string>
 #include <vector>
 
+#include "source/app/Answers.h"
 #include "source/app/GuardedMain.h"
 #include "source/app/Status.h"
-#include "source/app/Tasks.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/rayimg/Commands.h"
@@ -29,10 +29,9 @@ const std::map<std::string, int (*)(const rayimg::ImageOptions& options, const s
 };
 
 int Run(const std::vector<std::string>& words) {
-  const Options options = ReadCommandLine(Program::rayimg, words);
-  if (options.task == Task::command)
-    return commands.at(options.command->name)(options.image, "rayimg " + ShellLine(words));
-  DoTask(options);
+  const auto options = ReadCommandLine<rayimg::ImageOptions>(Program::rayimg, words);
+  if (!options.request) return commands.at(options.command->name)(options, "rayimg " + ShellLine(words));
+  AnswerRequest(options);
   return status::done;
 }
 

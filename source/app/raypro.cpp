@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "source/app/BuildAccelerator.h"
+#include "source/app/Answers.h"
 #include "source/app/Farm.h"
 #include "source/app/GuardedMain.h"
 #include "source/app/Interrupt.h"
+#include "source/app/PreparedScene.h"
 #include "source/app/Status.h"
-#include "source/app/Tasks.h"
 #include "source/app/files/Checkpoint.h"
 #include "source/app/files/LayerPictures.h"
 #include "source/app/files/Outputs.h"
@@ -20,8 +20,6 @@
 #include "source/app/options/Comp30019.h"
 #include "source/app/options/FileNames.h"
 #include "source/app/options/PictureName.h"
-#include "source/app/options/SceneSettings.h"
-#include "source/app/report/Memory.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Progress.h"
 #include "source/app/report/ReadReplay.h"
@@ -36,25 +34,25 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, const Options& options, RunLog& account,
-                           Checkpoint* checkpoint) {
-  const std::string identity = IdentityOf(options, account.stats().scene.hash);
+RenderResult RenderAndLog(const World& world, const Accelerator& accelerator, const RenderOptions& options, RunLog& run_log,
+                          Checkpoint* checkpoint) {
+  const std::string identity = IdentityOf(options, run_log.stats().scene.hash);
   RenderSettings settings = options.render;
-  settings.replay = ReadReplay(account.stats());
+  settings.replay = ReadReplay(run_log.stats());
   RenderMonitor monitor;
   monitor.encode = EncoderOf(options.files.picture, options.encoding);
   settings.budget = BudgetWithFinish(settings, monitor.encode);
-  if (settings.budget.seconds > 0) account.WillFinishIn(settings.budget);
+  if (settings.budget.seconds > 0) run_log.WillFinishIn(settings.budget);
   Progress progress(ChooseProgressStyle(options.quiet));
   const auto tile_done = [&](const RenderProgress& now) { progress.Update(now); };
   monitor.stop = StopRequested();
   monitor.tile_done = tile_done;
-  monitor.seconds_before = account.SecondsSoFar();
+  monitor.seconds_before = run_log.SecondsSoFar();
   const auto parts = [&] { return PartReader(options.render, options.files.picture, identity); };
   if (settings.budget.seconds > 0 && !options.parts.empty())
     if (const auto since_begin = parts().SecondsSinceBegin()) {
       monitor.seconds_before = *since_begin;
-      account.BeganTogether(*since_begin);
+      run_log.BeganTogether(*since_begin);
     }
   if (checkpoint) monitor.save = [&](const RenderState& state) { checkpoint->Save(state, identity); };
   monitor.save_every = options.checkpoint.seconds;
@@ -69,7 +67,7 @@ RenderResult RenderAndTell(const World& world, const Accelerator& accelerator, c
   return Render(world, accelerator, settings, monitor);
 }
 
-std::vector<R2::Image> RenderLayers(const World& world, const Accelerator& accelerator, const Options& options) {
+std::vector<R2::Image> RenderLayers(const World& world, const Accelerator& accelerator, const RenderOptions& options) {
   std::vector<R2::Image> layers;
   for (const Layer layer : options.files.layers)
     layers.push_back(layer == Layer::flare
@@ -79,59 +77,56 @@ std::vector<R2::Image> RenderLayers(const World& world, const Accelerator& accel
 }
 
 /// The true error, where there is something to tell it by.
-void Compare(const RenderResult& result, const std::vector<R2::Image>& references, const Options& options,
-             RunLog& account) {
+void Compare(const RenderResult& result, const std::vector<R2::Image>& references, const RenderOptions& options,
+             RunLog& run_log) {
   if (references.empty()) return;
   const ErrorMeasure measure{.unit = result.error ? result.error->unit : ErrorUnit::display,
                              .srgb = options.render.srgb};
-  account.Compared(TrueError(result.image, references[0], references.size() > 1 ? &references[1] : nullptr, measure));
+  run_log.Compared(TrueError(result.image, references[0], references.size() > 1 ? &references[1] : nullptr, measure));
 }
 
-int MakePicture(const Options& asked, const Words& words) {
-  CheckMachine(asked.render, asked.accelerator);
-  RunLog account(words);
+int MakePicture(const RenderOptions& asked, const Words& words) {
+  RunLog run_log(words);
   const Outputs outputs = CheckOutputs(asked.files, RegionOf(asked.render));
-  const ParsedScene parsed = Parse(asked.files.scene, asked.parse);
-  RefuseInputs(outputs, parsed.scene.files);
-  const Options options = WithSettingsOf(parsed.scene, asked);
+  const ReadScene read(asked);
+  const RenderOptions& options = read.options;
+  RefuseInputs(outputs, read.parsed.scene.files);
   RefuseSize(*outputs.format, options.render.width, options.render.height);
   const auto checkpoint = outputs.picture.is_standard_output
                               ? nullptr
                               : std::make_unique<Checkpoint>(options.files, options.checkpoint, options.as_course);
   const std::vector<R2::Image> references = ReadReferences(options.files.reference, RegionOf(options.render));
-  account.Loaded(parsed, options);
-
-  const World world(parsed.scene);
-  CheckMemory(world, PictureBytes(options.render, options.files, options.checkpoint.seconds > 0), options.memory);
-  const auto accelerator = BuildAccelerator(world, options.accelerator, options.render);
-  account.Built(world, *accelerator);
+  run_log.Loaded(read.parsed, options);
+  const PreparedScene scene(read);
+  const auto& [world, accelerator] = scene;
+  run_log.Built(world, *accelerator);
 
   if (options.checkpoint.restart) checkpoint->Remove();
   CatchInterrupts();
-  const RenderResult result = RenderAndTell(world, *accelerator, options, account, checkpoint.get());
-  account.Rendered(result);
-  Compare(result, references, options, account);
+  const RenderResult result = RenderAndLog(world, *accelerator, options, run_log, checkpoint.get());
+  run_log.Rendered(result);
+  Compare(result, references, options, run_log);
 
   const auto layers = result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{};
-  account.Written(WritePicture(outputs, result, layers, account.stats()).name);
+  run_log.Written(WritePicture(outputs, result, layers, run_log.stats()).name);
   if (result.IsComplete() && checkpoint) checkpoint->PictureIsFinished(options.checkpoint.keep);
-  account.ExplainIfBlack(world, *accelerator, result.image);
-  WriteReport(outputs, account.stats());
-  account.Summarize();
+  run_log.ExplainIfBlack(world, *accelerator, result.image);
+  WriteReport(outputs, run_log.stats());
+  run_log.Summarize();
   if (!result.IsComplete()) return status::killed_by + StopSignal();
   return result.denoise_failure.empty() ? status::done : status::failed;
 }
 
-int DoOne(const Options& options, const Words& words) {
-  if (options.task != Task::render) {
-    DoTask(options);
+int DoOne(const RenderOptions& options, const Words& words) {
+  if (options.request) {
+    AnswerRequest(options);
     return status::done;
   }
   return options.render.part || options.missing > 0 ? DoShareOfImage(options) : MakePicture(options, words);
 }
 
 /// Every file that one of the scenes is read from. A scene that cannot be read says so in its turn.
-std::vector<std::string> InputsOfAll(const Options& all) {
+std::vector<std::string> InputsOfAll(const RenderOptions& all) {
   std::vector<std::string> inputs;
   for (const std::string& scene : all.scenes) {
     inputs.push_back(scene);
@@ -154,10 +149,10 @@ bool ReplacesAny(const Outputs& outputs) {
 /// only where a file would be replaced, for that takes its time.
 class InputsOfBatch {
  public:
-  explicit InputsOfBatch(const Options& all) : all_(all) {}
+  explicit InputsOfBatch(const RenderOptions& all) : all_(all) {}
 
   /// Throws OutputError.
-  void Protect(const Options& one) {
+  void Protect(const RenderOptions& one) {
     const Outputs outputs = CheckOutputs(one.files, RegionOf(one.render));
     if (!ReplacesAny(outputs)) return;
     if (!inputs_) inputs_ = InputsOfAll(all_);
@@ -165,22 +160,22 @@ class InputsOfBatch {
   }
 
  private:
-  const Options& all_;
+  const RenderOptions& all_;
   std::optional<std::vector<std::string>> inputs_;
 };
 
 /// Each scene for itself: what is wrong with one keeps none of the others from being rendered.
-int DoEach(const Options& all, const Words& words) {
+int DoEach(const RenderOptions& all, const Words& words) {
   if (!std::filesystem::is_directory(all.out_folder))
     throw OutputError("cannot write into " + Quoted(all.out_folder) + ": there is no such folder");
   int first_failure = status::done;
   InputsOfBatch inputs(all);
   for (const std::string& scene : all.scenes) {
-    Options one = all;
+    RenderOptions one = all;
     one.files.scene = scene;
     one.files.picture = PictureInFolder(all.out_folder, scene, all.out_format);
     const int ended = Guarded(Program::raypro, [&] {
-      if (one.task == Task::render)
+      if (!one.request)
         inputs.Protect(one);
       else if (!one.quiet)
         WriteStandardOutput(Escaped(scene) + "\n");
@@ -192,7 +187,7 @@ int DoEach(const Options& all, const Words& words) {
   return first_failure;
 }
 
-int Run(const Options& options, const Words& words) {
+int Run(const RenderOptions& options, const Words& words) {
   return options.scenes.empty() ? DoOne(options, words) : DoEach(options, words);
 }
 

@@ -9,10 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "source/app/Answers.h"
 #include "source/app/GuardedMain.h"
 #include "source/app/Status.h"
-#include "source/app/Tasks.h"
 #include "source/app/options/CommandLine.h"
+#include "source/app/options/RenderChecks.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/rayview/LoadingWindow.h"
 #include "source/app/rayview/ViewOutputs.h"
@@ -30,7 +31,7 @@ bool StaysOpen(const ViewOptions& view) { return IsLookedAt(view) && !view.exit_
 
 /// The scene; or nothing, with the files that are to be looked at again, where a user who edits them can see in a
 /// window what is wrong.
-std::shared_ptr<const LoadedScene> SceneFor(const Options& asked, std::optional<SceneErrors>& mistakes) {
+std::shared_ptr<const LoadedScene> SceneFor(const ViewerOptions& asked, std::optional<SceneErrors>& mistakes) {
   try {
     return std::make_shared<const LoadedScene>(asked.files.scene, asked.parse, asked.accelerator);
   } catch (const SceneErrors& errors) {
@@ -46,7 +47,7 @@ std::shared_ptr<const LoadedScene> SceneFor(const Options& asked, std::optional<
   }
 }
 
-int ViewScene(const Options& asked) {
+int ViewScene(const ViewerOptions& asked) {
   CheckMachine(asked.render, asked.accelerator);
   const ViewOutputs outputs = CheckViewOutputs(asked.files, asked.view, asked.render.width, asked.render.height);
   std::optional<SceneErrors> mistakes;
@@ -55,7 +56,7 @@ int ViewScene(const Options& asked) {
   if (StaysOpen(asked.view) && HasWindows())
     window = WindowUntilLoaded(loading, asked.render.width, asked.render.height, asked.files.scene);
   const auto scene = loading.get();
-  const Options options = WithSettingsOf(scene->parsed.scene, asked);
+  const ViewerOptions options = WithSettingsOf(scene->parsed.scene, asked);
   RefuseInputs(outputs, scene->parsed.scene.files);
   TellAll(scene->parsed.warnings);
   TellAll(scene->world.Warnings());
@@ -68,9 +69,10 @@ int ViewScene(const Options& asked) {
 }
 
 int Run(const std::vector<std::string>& words) {
-  const Options options = ReadCommandLine(Program::rayview, words);
-  if (options.task == Task::view) return ViewScene(options);
-  DoTask(options, LinesOfHelp());
+  ViewerOptions options = ReadCommandLine<ViewerOptions>(Program::rayview, words);
+  if (!options.request) return ViewScene(options);
+  options.keys = LinesOfHelp();
+  AnswerRequest(options);
   return status::done;
 }
 

@@ -26,7 +26,7 @@ Paths CourseScenesBelow(const std::filesystem::path& folder) {
 
 /// The settings that the scene asks for, of a small picture.
 ray::RenderSettings Small(const ray::Scene& scene) {
-  ray::Options asked = ray::ReadCommandLine(
+  ray::RenderOptions asked = ray::ReadCommandLine(
       ray::Program::raypro, std::vector<std::string>{"a.scn", "b.pfm", "-width", "40", "-height", "30"});
   ray::RenderSettings settings = WithSettingsOf(scene, asked).render;
   settings.threads = 1;

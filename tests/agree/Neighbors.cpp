@@ -17,7 +17,7 @@ constexpr int side = 160, samples = 9;
 
 /// The settings that the scene asks for, but for image size and samples.
 ray::RenderSettings SettingsOf(const ray::Scene& scene, ray::SamplerKind sampler) {
-  const ray::Options typed = ray::ReadCommandLine(
+  const ray::RenderOptions typed = ray::ReadCommandLine(
       ray::Program::raypro,
       std::vector<std::string>{"a.scn", "b.pfm", "-width", std::to_string(side), "-height", std::to_string(side),
                                "-samples", std::to_string(samples), "-sampler", NameOf(sampler)});

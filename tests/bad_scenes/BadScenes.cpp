@@ -60,7 +60,7 @@ std::size_t CheckReports(const std::filesystem::path& folder, const std::string&
     try {
       ParseOptions options;
       options.problem_of = ProblemOf;
-      WithSettingsOf(Parse(entry.path(), options).scene, Defaults(Program::raypro));
+      WithSettingsOf(Parse(entry.path(), options).scene, RenderOptions());
     } catch (const SceneErrors& errors) {
       report = Replaced(errors.what(), folder.string() + "/", "");
       report = Replaced(report, folder.lexically_normal().string() + "/", "");

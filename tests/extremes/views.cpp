@@ -217,7 +217,7 @@ TEST(Extremes, B9_TheNearerOfTwoParallelSquaresIsHit) {
 /// Why a scene is refused for its settings; empty where it is not.
 std::string RefusalOf(const std::string& scene) {
   try {
-    ray::WithSettingsOf(project::FromText(scene), ray::Defaults(ray::Program::raypro));
+    ray::WithSettingsOf(project::FromText(scene), ray::RenderOptions());
   } catch (const std::exception& error) {
     return error.what();
   }

@@ -22,9 +22,9 @@ void RemoveFile(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string IdentityOf(const Options& options, const std::string& scene_hash) {
+std::string IdentityOf(const RenderOptions& options, const std::string& scene_hash) {
   std::string text = "version " RAYPRO_VERSION "\nscene " + scene_hash + "\n";
-  for (const OptionKind& option : OptionTable(options.program)) {
+  for (const OptionKind& option : OptionTable(*options.program)) {
     const bool shows = option.facts.HasAny({Fact::image, Fact::samples, Fact::budget});
     if (!shows || option.facts.Has(Fact::changes_on_resume)) continue;
     text += "-" + std::string(option.name) + " " + options.Show(option) + "\n";

@@ -3,14 +3,14 @@
 #include <string>
 
 #include "source/app/files/OutputFile.h"
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 #include "source/render/Render.h"
 
 namespace ray {
 
 /// Everything that a bit of the picture depends on: version, scene, and the options that choose it; lines "name value".
 /// But for the samples, which may become more.
-std::string IdentityOf(const Options& options, const std::string& scene_hash);
+std::string IdentityOf(const RenderOptions& options, const std::string& scene_hash);
 
 /// The state of a render in a file beside the picture so far, from which -resume continues: "out.jpg.checkpoint", or
 /// "out.partial.jpg.checkpoint" where a finished picture has the name. It is written every -checkpoint, and whenever a

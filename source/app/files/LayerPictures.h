@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "R2/ImageFile.h"
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 
 namespace ray {
 

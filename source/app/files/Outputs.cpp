@@ -81,7 +81,7 @@ PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::s
   return {format, file};
 }
 
-void TellOfLink(Program program, const OutputFile& picture) {
+void TellOfLink(const Program& program, const OutputFile& picture) {
   if (picture.is_link)
     PrintError(NameOf(program) + ": " + Quoted(picture.name) + " is a link; the image goes to " +
                QuotedPath(picture.target.string()));
@@ -129,7 +129,7 @@ OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, cons
   const bool must_stay = !result.IsComplete() && IsFinishedPicture(outputs.picture.target);
   const OutputFile& picture = must_stay ? outputs.partial : outputs.picture;
   if (result.pixels_done == 0) return picture;
-  TellOfLink(record.options.program, picture);
+  TellOfLink(*record.options.program, picture);
   const R2::ImageFormat& format = *outputs.format;
   const R2::ImageSettings settings = SettingsInPicture(record);
   const std::vector<Layer>& kinds = record.options.files.layers;

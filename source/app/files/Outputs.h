@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "source/app/files/OutputFile.h"
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 #include "source/app/report/RunStats.h"
 
 namespace ray {
@@ -21,7 +21,7 @@ PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::s
 void RefuseSize(const R2::ImageFormat& format, int width, int height);
 
 /// Says so when the name is a link, for the picture goes elsewhere then.
-void TellOfLink(Program program, const OutputFile& picture);
+void TellOfLink(const Program& program, const OutputFile& picture);
 
 /// Where the results of a run go.
 struct Outputs {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "source/app/files/OutputFile.h"
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 #include "source/render/Render.h"
 
 /// Files by which machines that render an image together exchange samples: a part, "out.png.part-3-of-8", is a

@@ -31,7 +31,7 @@ std::string Quotable(const std::string& text, const std::string& marks) {
 }
 
 /// The options of a command, or those of the program itself: with a dash each.
-std::vector<std::string> OptionNames(Program program, const CommandKind* command) {
+std::vector<std::string> OptionNames(const Program& program, const CommandKind* command) {
   std::vector<std::string> names;
   for (const OptionKind& option : OptionTable(program))
     if (command ? Takes(*command, option) : option.commands.empty()) names.push_back("-" + std::string(option.name));
@@ -57,7 +57,7 @@ std::vector<std::string> ExtensionsOf(FileKind kind) {
 }
 
 /// What the files named first are; raypro writes an image after its scene.
-FileKind FirstFiles(Program program) { return program == Program::rayimg ? FileKind::image : FileKind::scene; }
+FileKind FirstFiles(const Program& program) { return program.commands().empty() ? FileKind::scene : FileKind::image; }
 
 bool IsListOfNames(const OptionKind& option) {
   const auto* word = std::get_if<Word>(&option.value);
@@ -73,14 +73,14 @@ std::string OfferInList(const std::vector<std::string>& words) {
   return "COMPREPLY=($(compgen -P \"${word%\"${word##*,}\"}\" -W '" + Joined(words) + "' -- \"${word##*,}\"))";
 }
 
-std::string OfferFiles(Program program, FileKind kind) {
+std::string OfferFiles(const Program& program, FileKind kind) {
   if (kind == FileKind::any) return "COMPREPLY=($(compgen -f -- \"$word\"))";
   if (kind == FileKind::folder) return "COMPREPLY=($(compgen -d -- \"$word\"))";
   return "_" + NameOf(program) + "_files '" + Joined(ExtensionsOf(kind), "|") + "'";
 }
 
 /// Offers what an option takes; nothing where that is a number.
-std::string BashArgument(Program program, const OptionKind& option) {
+std::string BashArgument(const Program& program, const OptionKind& option) {
   const auto values = NamedValues(option);
   if (IsListOfNames(option)) return OfferInList(values) + "; ";
   if (!values.empty()) return Offer(values) + "; ";
@@ -89,18 +89,18 @@ std::string BashArgument(Program program, const OptionKind& option) {
 }
 
 /// Offers options: those of the command that came first, where the program has commands.
-std::string BashOptions(Program program) {
-  if (CommandsOf(program).empty()) return "    " + Offer(OptionNames(program, nullptr)) + "\n";
+std::string BashOptions(const Program& program) {
+  if (program.commands().empty()) return "    " + Offer(OptionNames(program, nullptr)) + "\n";
   std::string text = "    case ${COMP_WORDS[1]} in\n";
-  for (const CommandKind& command : CommandsOf(program))
+  for (const CommandKind& command : program.commands())
     text += "      " + std::string(command.name) + ") " + Offer(OptionNames(program, &command)) + " ;;\n";
   return text + "      *) " + Offer(OptionNames(program, nullptr)) + " ;;\n    esac\n";
 }
 
 /// Offers what is no option: commands, scenes, and images once a scene is named, unless there may be several.
-std::string BashNames(Program program) {
+std::string BashNames(const Program& program) {
   std::string text;
-  if (!CommandsOf(program).empty())
+  if (!program.commands().empty())
     text += "  elif [[ $COMP_CWORD -eq 1 ]]; then\n    " + Offer(CommandNamesOf(program)) + "\n";
   if (program == Program::raypro)
     text += "  elif [[ $line == *.@(" + Joined(ExtensionsOf(FileKind::scene), "|") +
@@ -120,7 +120,7 @@ std::string BashFiles(const std::string& name) {
          "}\n";
 }
 
-std::string Bash(Program program) {
+std::string Bash(const Program& program) {
   const std::string name = NameOf(program);
   std::string cases;
   for (const OptionKind& option : OptionTable(program))
@@ -168,11 +168,11 @@ std::string ZshSpecification(const OptionKind& option) {
   return text + "' \\\n";
 }
 
-std::string Zsh(Program program) {
+std::string Zsh(const Program& program) {
   std::string text = "#compdef " + NameOf(program) + "\n_arguments \\\n";
   for (const OptionKind& option : OptionTable(program)) text += ZshSpecification(option);
   const std::string first = ZshFiles(FirstFiles(program));
-  if (!CommandsOf(program).empty())
+  if (!program.commands().empty())
     return text + "  '1:command:(" + Joined(CommandNamesOf(program)) + ")' \\\n  '*:image:" + first + "'\n";
   text += "  '1:scene:" + first + "'";
   return text + (program == Program::raypro ? " \\\n  '2:image:" + ZshFiles(FileKind::image) + "'\n" : "\n");
@@ -195,10 +195,10 @@ std::string FishArgument(const OptionKind& option) {
   return " -x" + FishFiles(ExtensionsOf(*kind));
 }
 
-std::string Fish(Program program) {
+std::string Fish(const Program& program) {
   const std::string complete = "complete -c " + NameOf(program);
   std::string text;
-  for (const CommandKind& command : CommandsOf(program))
+  for (const CommandKind& command : program.commands())
     text +=
         complete + " -n __fish_use_subcommand -f -a " + command.name + " -d '" + Quotable(command.help, "\\") + "'\n";
   for (const OptionKind& option : OptionTable(program)) {
@@ -211,14 +211,14 @@ std::string Fish(Program program) {
   }
   auto names = ExtensionsOf(FirstFiles(program));
   if (program == Program::raypro) std::ranges::copy(ExtensionsOf(FileKind::image), std::back_inserter(names));
-  if (!CommandsOf(program).empty()) text += complete + " -n 'not __fish_use_subcommand' -f" + FishFiles(names) + "\n";
-  if (CommandsOf(program).empty()) text += complete + " -f" + FishFiles(names) + "\n";
+  if (!program.commands().empty()) text += complete + " -n 'not __fish_use_subcommand' -f" + FishFiles(names) + "\n";
+  if (program.commands().empty()) text += complete + " -f" + FishFiles(names) + "\n";
   return text;
 }
 
 }  // namespace
 
-std::string CompletionScript(Program program, const std::string& shell) {
+std::string CompletionScript(const Program& program, const std::string& shell) {
   if (shell == "zsh") return Zsh(program);
   if (shell == "fish") return Fish(program);
   return Bash(program);

@@ -8,6 +8,6 @@
 namespace ray {
 
 /// The script that teaches a shell ("bash", "zsh" or "fish") the program's options.
-std::string CompletionScript(Program program, const std::string& shell);
+std::string CompletionScript(const Program& program, const std::string& shell);
 
 }  // namespace ray

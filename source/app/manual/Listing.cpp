@@ -113,20 +113,20 @@ constexpr Subject list_subjects[] = {
     {"presets", PresetLines}, {"keys", nullptr}};
 
 /// Presets are values of an option that only raypro has; keys are pressed in a window.
-bool Knows(Program program, const Subject& subject) {
+bool Knows(const Program& program, const Subject& subject) {
   return program == Program::raypro ? subject.list != nullptr : subject.list != PresetLines;
 }
 
 }  // namespace
 
-std::vector<std::string> ListSubjects(Program program) {
+std::vector<std::string> ListSubjects(const Program& program) {
   std::vector<std::string> names;
   for (const Subject& subject : list_subjects)
     if (Knows(program, subject)) names.emplace_back(subject.name);
   return names;
 }
 
-std::string Listing(Program program, const std::string& wanted, const std::vector<std::string>& keys) {
+std::string Listing(const Program& program, const std::string& wanted, const std::vector<std::string>& keys) {
   std::string text;
   for (const Subject& subject : list_subjects)
     if (Knows(program, subject) && (wanted.empty() || wanted == subject.name))

@@ -36,23 +36,23 @@ std::string Entry(const OptionKind& option, const Options& defaults) {
   return entry;
 }
 
-std::string CommandSections(Program program) {
+std::string CommandSections(const Program& program) {
   std::string text;
-  for (const CommandKind& command : CommandsOf(program)) {
+  for (const CommandKind& command : program.commands()) {
     text += ".SS " + Roff(NameOf(program) + " " + command.name + " " + command.files) + "\n" + Roff(command.help) +
             ".\n.nf\n" + Roff(std::string(command.details).substr(1)) + ".fi\n";
     for (const OptionKind& option : OptionTable(program))
-      if (Takes(command, option)) text += Entry(option, Defaults(program));
+      if (Takes(command, option)) text += Entry(option, *program.defaults());
   }
   return text.empty() ? "" : ".SH COMMANDS\n" + text;
 }
 
-std::string Entries(Program program) {
+std::string Entries(const Program& program) {
   std::string text, topic;
   for (const OptionKind& option : OptionTable(program)) {
     if (!option.commands.empty()) continue;
     if (topic != option.topic) text += ".SS " + Roff(topic = option.topic) + "\n";
-    text += Entry(option, Defaults(program));
+    text += Entry(option, *program.defaults());
   }
   return text;
 }
@@ -66,10 +66,10 @@ std::string SceneLanguages() {
          "A file with the extension of a mesh is a scene of that mesh alone.\n";
 }
 
-std::string SeeAlso(Program program) {
+std::string SeeAlso(const Program& program) {
   std::string text;
-  for (const Program other : programs)
-    if (other != program) text += ".BR " + NameOf(other) + " (1),\n";
+  for (const std::string other : {"raypro", "rayview", "rayimg", "raygrade"})
+    if (other != program.name) text += ".BR " + other + " (1),\n";
   return ".SH SEE ALSO\n" + text + ".BR scn (5),\n.BR raypro\\-farm (7)\n";
 }
 
@@ -102,24 +102,23 @@ constexpr std::pair<const char*, const char*> environment[] = {
 
 std::vector<std::string> ManualPages() { return {"scn"}; }
 
-std::string ManualPage(const std::string& name, Program program) {
+std::string ManualPage(const std::string& name, const Program& program) {
   return name == "scn" ? SceneManualPage() : ManualPage(program);
 }
 
-std::string ManualPage(Program program) {
-  const ProgramText& about = TextOf(program);
+std::string ManualPage(const Program& program) {
   const std::string name = NameOf(program);
-  const bool takes_scene = CommandsOf(program).empty();
+  const bool takes_scene = program.commands().empty();
   return ".TH " + UpperCase(name) + " 1 \"\" \"" + Roff(NameAndVersion(program)) + "\" \"User Commands\"\n.SH NAME\n" +
-         name + " \\- " + Roff(about.summary) + "\n.SH SYNOPSIS\n.B " + name + "\n.I " + about.names +
-         "\n.RI [ options ]\n.SH DESCRIPTION\n" + Roff(about.description) +
+         name + " \\- " + Roff(program.summary) + "\n.SH SYNOPSIS\n.B " + name + "\n.I " + program.file_names +
+         "\n.RI [ options ]\n.SH DESCRIPTION\n" + Roff(program.description) +
          (takes_scene ? "File name extensions choose the formats;\n.B " + name + " \\-list\nlists them.\n" : "") +
          "Options and names come in any order; \\-name value, \\-\\-name value and \\-name=value mean the same.\n"
          "An image is written to a temporary file beside its name and renamed when it is complete.\n" +
          (program == Program::raypro ? interruption : "") + CommandSections(program) + ".SH OPTIONS\n" +
          Entries(program) + (takes_scene ? SceneLanguages() : "") +
-         (program == Program::raypro ? OutputSections() : "") + ".SH EXIT STATUS\n" + Tagged(about.statuses) +
-         ".SH ENVIRONMENT\n" + Tagged(environment) + ".SH EXAMPLES\n.nf\n" + Roff(about.examples) + ".fi\n" +
+         (program == Program::raypro ? OutputSections() : "") + ".SH EXIT STATUS\n" + Tagged(program.statuses) +
+         ".SH ENVIRONMENT\n" + Tagged(environment) + ".SH EXAMPLES\n.nf\n" + Roff(program.examples) + ".fi\n" +
          SeeAlso(program);
 }
 

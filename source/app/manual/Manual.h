@@ -8,12 +8,12 @@
 namespace ray {
 
 /// The manual page raypro.1 or rayview.1, in the language of the man macros.
-std::string ManualPage(Program program);
+std::string ManualPage(const Program& program);
 
 /// The pages that -man can be asked for besides the program's own.
 std::vector<std::string> ManualPages();
 /// One of them, or the program's own when `name` is empty.
-std::string ManualPage(const std::string& name, Program program);
+std::string ManualPage(const std::string& name, const Program& program);
 
 /// Text as roff takes it literally: a backslash and a dash are escaped, a line never starts with a control character.
 std::string Roff(const std::string& text);

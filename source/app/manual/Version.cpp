@@ -9,9 +9,9 @@
 
 namespace ray {
 
-std::string NameAndVersion(Program program) { return NameOf(program) + " " RAYPRO_VERSION; }
+std::string NameAndVersion(const Program& program) { return NameOf(program) + " " RAYPRO_VERSION; }
 
-std::string Version(Program program) {
+std::string Version(const Program& program) {
   constexpr std::string_view commit = RAYPRO_COMMIT;
   const std::string built_from = commit.empty() ? "" : "\nbuilt from: commit " + std::string(commit);
   return NameAndVersion(program) + built_from + "\nbuilt with: " RAYPRO_FEATURES "\n";

@@ -1,22 +1,22 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 
 namespace ray {
 
 /// What the words behind a program's name ask for. Names and options in any order; -width 512, --width 512 and
 /// -width=512 are the same; of an option given twice the last counts; behind "--" everything is a name. Throws
 /// UsageError.
-Options ReadCommandLine(Program program, std::span<const std::string> words);
+std::unique_ptr<Options> ReadWords(const Program& program, std::span<const std::string> words);
 
-/// Works out what follows from the options of a scene's picture once its own settings are among them, and throws
-/// UsageError for what contradicts them.
-void CompleteForScene(Options& options);
-
-/// Throws UsageError when this machine lacks the denoiser or the instruction set that is asked for.
-void CheckMachine(const RenderSettings& render, const AcceleratorSettings& accelerator);
+/// The same, as the program's own options.
+template <class Own = RenderOptions>
+Own ReadCommandLine(const Program& program, std::span<const std::string> words) {
+  return As<Own>(*ReadWords(program, words));
+}
 
 }  // namespace ray

@@ -43,6 +43,19 @@ Word Triple(Lambda member) {
                                         "three numbers with commas and no spaces between them, such as 0,2,-0.5");
 }
 
+/// What the options of COMP30019's command line set, with their defaults.
+struct Asked : Options {
+  Asked() : Options(Program::raypro) {}
+
+  std::string file, output;
+  int width = 400, height = 400, samples_a_side = 1, quality = 0;
+  bool ambient = false, one_sided = false;
+  R3::Vector position{0, 0, 0}, axis{0, 0, 1};
+  double angle = 0, aperture = 0, focus = 1;  // the angle in degrees
+};
+
+#define AT(member) AT_OF(Asked, member)
+
 // One entry stays one thought.
 // clang-format off
 /// The course's options, in the rows that raypro's own have. Each is named as messages show it: "x, --aa-mult".
@@ -51,34 +64,36 @@ std::span<const OptionKind> CourseOptions() {
   using Real = Number<double>;
   using enum KnownTo;
   static const std::vector<OptionKind> table{
-      {"f, --file", raypro, {}, {}, {"path"}, FileName{AT(course.file)}, "", "", "scene to render (required)"},
-      {"o, --output", raypro, {}, {}, {"path"}, FileName{AT(course.output)}, "", "",
+      {"f, --file", raypro, {}, {}, {"path"}, FileName{AT(file)}, "", "", "scene to render (required)"},
+      {"o, --output", raypro, {}, {}, {"path"}, FileName{AT(output)}, "", "",
        "image to write, a PNG (required)"},
-      {"w, --width", raypro, {}, {}, {"n"}, Whole{AT(course.width), 1, most_pixels_a_side}, "", "",
+      {"w, --width", raypro, {}, {}, {"n"}, Whole{AT(width), 1, most_pixels_a_side}, "", "",
        "width of the image in pixels"},
-      {"h, --height", raypro, {}, {}, {"n"}, Whole{AT(course.height), 1, most_pixels_a_side}, "", "",
+      {"h, --height", raypro, {}, {}, {"n"}, Whole{AT(height), 1, most_pixels_a_side}, "", "",
        "height of the image in pixels"},
-      {"x, --aa-mult", raypro, {}, {}, {"n"}, Whole{AT(course.samples_a_side), 1, most_samples_a_side}, "", "",
+      {"x, --aa-mult", raypro, {}, {}, {"n"}, Whole{AT(samples_a_side), 1, most_samples_a_side}, "", "",
        "n x n samples per pixel"},
-      {"l, --ambient", raypro, {}, {}, {}, Flag{AT(course.ambient)}, "", "",
+      {"l, --ambient", raypro, {}, {}, {}, Flag{AT(ambient)}, "", "",
        "ambient light, by tracing paths over many bounces"},
-      {"p, --cam-pos", raypro, {}, {}, {"x,y,z"}, Triple(AT(course.position)), "", "", "position of the camera"},
-      {"a, --cam-axis", raypro, {}, {}, {"x,y,z"}, Triple(AT(course.axis)), "", "",
+      {"p, --cam-pos", raypro, {}, {}, {"x,y,z"}, Triple(AT(position)), "", "", "position of the camera"},
+      {"a, --cam-axis", raypro, {}, {}, {"x,y,z"}, Triple(AT(axis)), "", "",
        "axis that the camera is turned about"},
-      {"n, --cam-angle", raypro, {}, {}, {"degrees"}, Real{AT(course.angle), -highest, highest}, "", "",
+      {"n, --cam-angle", raypro, {}, {}, {"degrees"}, Real{AT(angle), -highest, highest}, "", "",
        "by how much it is turned"},
-      {"r, --aperture-radius", raypro, {}, {}, {"r"}, Real{AT(course.aperture), 0, highest}, "", "",
+      {"r, --aperture-radius", raypro, {}, {}, {"r"}, Real{AT(aperture), 0, highest}, "", "",
        "radius of the lens, 0 for a pinhole"},
-      {"t, --focal-length", raypro, {}, {}, {"d"}, Real{AT(course.focus), 0, highest}, "", "",
+      {"t, --focal-length", raypro, {}, {}, {"d"}, Real{AT(focus), 0, highest}, "", "",
        "focus distance of the lens"},
-      {"q, --quality", raypro, {}, {}, {"n"}, Whole{AT(course.quality), 0, best_quality}, "", "",
+      {"q, --quality", raypro, {}, {}, {"n"}, Whole{AT(quality), 0, best_quality}, "", "",
        "each level halves the noise of soft shadows, ambient light and the lens"},
-      {"one_sided, --one-sided", raypro, {}, {}, {}, Flag{AT(course.one_sided)}, "", "",
+      {"one_sided, --one-sided", raypro, {}, {}, {}, Flag{AT(one_sided)}, "", "",
        "rays hit surfaces from their front only, except glass"},
   };
   return table;
 }
 // clang-format on
+
+#undef AT
 
 /// "-x, --aa-mult"
 std::string NamesOf(const OptionKind& option) { return std::string("-") + option.name; }
@@ -116,7 +131,7 @@ std::vector<std::string> TakeValue(const OptionKind& option, std::span<const std
 }
 
 Asked Read(std::span<const std::string> words) {
-  Options options;
+  Asked asked;
   std::vector<const OptionKind*> seen;
   while (!words.empty()) {
     const std::string word = words[0];
@@ -125,13 +140,12 @@ Asked Read(std::span<const std::string> words) {
     const OptionKind& option = Known(word);
     if (std::ranges::find(seen, &option) != seen.end()) throw UsageError(NamesOf(option) + " is given twice");
     seen.push_back(&option);
-    Store(option, TakeValue(option, words), options);
+    Store(option, TakeValue(option, words), asked);
   }
   std::string missing;
   for (const OptionKind& option : CourseOptions())
-    if (IsFile(option) && options.Show(option).empty()) missing += (missing.empty() ? "" : " and ") + NamesOf(option);
+    if (IsFile(option) && asked.Show(option).empty()) missing += (missing.empty() ? "" : " and ") + NamesOf(option);
   if (!missing.empty()) throw UsageError("missing: " + missing + " (--help lists all options)");
-  const Asked& asked = options.course;
   if (asked.axis == R3::Vector{} && asked.angle != 0)
     throw UsageError("-a, --cam-axis must not be 0,0,0 where --cam-angle is not 0");
   if (asked.aperture > 0 && !(asked.focus > 0))
@@ -182,16 +196,16 @@ std::vector<std::string> WithRequest(std::span<const std::string> words) {
   return all;
 }
 
-Options ReadCommandLine(std::span<const std::string> words) {
+RenderOptions ReadCommandLine(std::span<const std::string> words) {
   words = words.subspan(WordsOfRequest(words));
   if (std::ranges::any_of(words, IsHelp)) {
-    Options options = Defaults(Program::raypro);
-    options.task = Task::help;
+    RenderOptions options;
+    options.request = FindOption(Program::raypro, "help");
     options.subject = "comp30019";
     return options;
   }
   const Asked asked = Read(words);
-  Options options = ray::ReadCommandLine(Program::raypro, RayprosWords(asked));
+  RenderOptions options = ray::ReadCommandLine(Program::raypro, RayprosWords(asked));
   options.as_course = true;
   if (!(asked.position == R3::Vector{}) || asked.angle != 0)
     options.render.view = ViewFrom(asked.position, asked.axis, asked.angle);
@@ -204,7 +218,7 @@ std::string Help() {
       "       raypro -as comp30019 -f scene.txt -o image.png [options]\n\n"
       "The command line of COMP30019, Graphics and Interaction.\n\noptions:\n";
   for (const OptionKind& option : CourseOptions()) {
-    const std::string names = "  " + Synopsis(option), standard = Options().Show(option);
+    const std::string names = "  " + Synopsis(option), standard = Asked().Show(option);
     constexpr std::size_t column_of_help = 34;
     text += names + std::string(column_of_help - names.size(), ' ') + option.help +
             (standard.empty() ? "" : " [" + standard + "]") + "\n";

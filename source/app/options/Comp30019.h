@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 
 /// The command line of COMP30019, Graphics and Interaction, as its graders type it.
 namespace ray::comp30019 {
@@ -17,7 +17,7 @@ std::vector<std::string> WithRequest(std::span<const std::string> words);
 
 /// Translates the words behind a program's name, and perhaps -as comp30019: the course's 12 options and -one_sided into
 /// raypro's, and the view. Throws UsageError.
-Options ReadCommandLine(std::span<const std::string> words);
+RenderOptions ReadCommandLine(std::span<const std::string> words);
 
 /// The text that --help prints.
 std::string Help();

@@ -23,13 +23,12 @@
 namespace ray {
 namespace {
 
-bool NeedsScene(Task task) {
-  return task == Task::render || task == Task::view || task == Task::check || task == Task::files ||
-         task == Task::advise || task == Task::convert || task == Task::debug_pixel;
-}
+bool NeedsScene(const Options& options) { return !options.request || IsOfScene(*options.request); }
+
+bool Renders(const Options& options) { return !options.request && *options.program == Program::raypro; }
 
 /// What was probably meant: the words as typed, with a name for the picture behind the scene's.
-std::string LikelyCommand(const Options& options, std::span<const std::string> words) {
+std::string LikelyCommand(const RenderOptions& options, std::span<const std::string> words) {
   const std::string& scene_name = options.files.scene;
   if (scene_name.empty()) return "raypro scenes/hello.scn hello.png -width 512";
   std::vector<std::string> likely(words.begin(), words.end());
@@ -50,13 +49,13 @@ bool IsScene(const std::string& name) { return !R2::FormatForName(name) && IsSce
 
 /// The first of the options that were given of which the fact is true; null where there is none.
 const OptionKind* FirstGiven(const Options& options, Fact fact) {
-  for (const OptionKind& option : OptionTable(options.program))
+  for (const OptionKind& option : OptionTable(*options.program))
     if (option.facts.Has(fact) && options.IsGiven(option.name)) return &option;
   return nullptr;
 }
 
 /// Each scene makes an image of its own name, and standard input has no name.
-void CheckScenes(const Options& options) {
+void CheckScenes(const RenderOptions& options) {
   if (const OptionKind* option = FirstGiven(options, Fact::one_image))
     throw UsageError("-" + std::string(option->name) +
                      " works with one scene only; it cannot be combined with -out_folder");
@@ -72,7 +71,7 @@ void CheckScenes(const Options& options) {
 }
 
 /// Standard output holds one image, and nothing can be resumed from it.
-void CheckStandardOutput(const Options& options) {
+void CheckStandardOutput(const RenderOptions& options) {
   if (options.files.picture != standard_stream) return;
   if (const OptionKind* option = FirstGiven(options, Fact::named_image))
     throw UsageError("-" + std::string(option->name) + " needs an image file, not standard output");
@@ -87,13 +86,13 @@ void CheckSecondName(const FileOptions& files) {
     throw UsageError(Quoted(files.picture) + " is a scene" + several_scenes);
 }
 
-void CheckPicture(const Options& options, std::span<const std::string> words) {
+void CheckPicture(const RenderOptions& options, std::span<const std::string> words) {
   const FileOptions& files = options.files;
   if (files.report == standard_stream) throw UsageError("-report needs the name of a file, not standard output");
   if (files.picture == options.files.report && !files.picture.empty())
     throw UsageError("the image and the report are the same file, " + Quoted(files.report));
   if (!files.picture.empty()) return;
-  if (FindOption(options.program, files.scene)) throw UsageError("options begin with a dash: raypro -" + files.scene);
+  if (FindOption(*options.program, files.scene)) throw UsageError("options begin with a dash: raypro -" + files.scene);
   if (IsPicture(files.scene))
     throw UsageError("no scene is named; for example: raypro scenes/hello.scn " + files.scene);
   throw UsageError("missing output file name; for example: " + LikelyCommand(options, words));
@@ -117,9 +116,9 @@ bool IsOfRaypro(const std::string& picture) {
 
 /// A scene or a mesh may be named alone, as in Groningen's course; its image then lies beside it. A name that ends in
 /// .txt says too little about what a file holds. Beside a mesh there may be its texture, which is left as it is.
-void NamePictureOfLoneScene(Options& options) {
+void NamePictureOfLoneScene(RenderOptions& options) {
   const std::string& scene = options.files.scene;
-  const bool is_alone = options.task == Task::render && options.files.picture.empty() && !IsOutputSentToAnImage();
+  const bool is_alone = Renders(options) && options.files.picture.empty() && !IsOutputSentToAnImage();
   const bool is_mesh = MeshFormatForName(scene) != nullptr;
   if (!is_alone || !(is_mesh || IsScene(scene)) || ExtensionOf(scene) == ".txt") return;
   options.files.picture = std::filesystem::path(scene).replace_extension(".png").string();
@@ -151,30 +150,34 @@ std::string SceneNamed(const std::string& name) {
 }
 
 /// Gives each name its role.
-void Share(Options& options) {
-  if (!options.out_folder.empty() || options.scenes.empty()) return;
-  const std::vector<std::string> names = std::move(options.scenes);
-  options.scenes.clear();
-  if (names.size() > 2) RefuseName(names[2], IsScene(names[2]) ? several_scenes : UsageOf(options.program));
+void Share(RenderOptions& options) {
+  const std::vector<std::string>& names = options.names;
+  const bool is_rayview = *options.program == Program::rayview;
+  if (!options.out_folder.empty()) options.scenes = names;
+  if (!options.out_folder.empty() || names.empty()) return;
+  if (is_rayview && names.size() > 1) RefuseName(names[1], UsageOf(*options.program));
+  if (names.size() > 2) RefuseName(names[2], IsScene(names[2]) ? several_scenes : UsageOf(*options.program));
   options.files.scene = names[0];
   if (names.size() == 2) options.files.picture = StreamNamed(names[1], STDOUT_FILENO, "stdout");
-  options.files.report = StreamNamed(options.files.report, STDOUT_FILENO, "stdout");
+  if (!is_rayview) options.files.report = StreamNamed(options.files.report, STDOUT_FILENO, "stdout");
   NamePictureOfLoneScene(options);
 }
 
 }  // namespace
 
-std::string UsageOf(Program program, const CommandKind* command) { return " (usage: " + Usage(program, command) + ")"; }
+std::string UsageOf(const Program& program, const CommandKind* command) {
+  return " (usage: " + Usage(program, command) + ")";
+}
 
 void RefuseName(const std::string& word, const std::string& why) {
   throw UsageError("unexpected extra argument " + Quoted(word) + why);
 }
 
-void ShareNames(Options& options, std::span<const std::string> words) {
+void ShareNames(RenderOptions& options, std::span<const std::string> words) {
   Share(options);
   options.files.scene = SceneNamed(options.files.scene);
   for (std::string& scene : options.scenes) scene = SceneNamed(scene);
-  if (!NeedsScene(options.task)) {
+  if (!NeedsScene(options)) {
     if (!options.files.scene.empty()) RefuseName(options.files.scene, "");
     if (!options.scenes.empty()) RefuseName(options.scenes[0], "");
     return;
@@ -182,11 +185,10 @@ void ShareNames(Options& options, std::span<const std::string> words) {
   if (!options.scenes.empty()) return CheckScenes(options);
   CheckStandardOutput(options);
   if (options.files.scene.empty())
-    throw UsageError("no scene is named" + (options.task == Task::render
-                                                ? "; for example: " + LikelyCommand(options, words)
-                                                : UsageOf(options.program)));
+    throw UsageError("no scene is named" + (Renders(options) ? "; for example: " + LikelyCommand(options, words)
+                                                             : UsageOf(*options.program)));
   CheckSecondName(options.files);
-  if (options.task == Task::render) CheckPicture(options, words);
+  if (Renders(options)) CheckPicture(options, words);
 }
 
 std::string PictureInFolder(const std::string& folder, const std::string& scene, const std::string& extension) {

@@ -47,7 +47,7 @@ struct Foreign {
 };
 
 /// The options' own words come before phrases, so that -o is -image in rayview, which has that option.
-std::vector<Foreign> ForeignWords(Program program) {
+std::vector<Foreign> ForeignWords(const Program& program) {
   std::vector<Foreign> words;
   for (const OptionKind& option : OptionTable(program))
     for (const std::string word : option.facts.elsewhere)
@@ -56,12 +56,11 @@ std::vector<Foreign> ForeignWords(Program program) {
   return words;
 }
 
-bool Accepts(const OptionKind& option, const std::string& value) {
+bool Accepts(const Program& program, const OptionKind& option, const std::string& value) {
   if (MostArguments(option) != 1) return false;
   try {
     const std::vector<std::string> words{value};
-    Options scratch;
-    Store(option, words, scratch);
+    Store(option, words, *program.defaults());
     return true;
   } catch (const UsageError&) {
     return false;
@@ -69,22 +68,22 @@ bool Accepts(const OptionKind& option, const std::string& value) {
 }
 
 /// The answer, with the value that was typed as one word with the option if the option accepts it.
-std::string AnswerText(Program program, const Foreign& foreign, const std::string& value) {
+std::string AnswerText(const Program& program, const Foreign& foreign, const std::string& value) {
   if (!foreign.answer.starts_with('-')) return "; " + foreign.answer;
   const OptionKind* option = FindOption(program, foreign.answer.substr(1));
-  const bool shows_value = !value.empty() && option && Accepts(*option, value);
+  const bool shows_value = !value.empty() && option && Accepts(program, *option, value);
   return "; did you mean '" + foreign.answer + (shows_value ? " " + value : "") + "'?";
 }
 
 /// The answer to the entry that is the longest beginning of POV-Ray's option.
-std::string AnswerToPlus(Program program, const std::string& word, const std::string& value) {
+std::string AnswerToPlus(const Program& program, const std::string& word, const std::string& value) {
   Foreign best;
   for (const Foreign& foreign : ForeignWords(program))
     if (word.starts_with(foreign.word) && foreign.word.size() > best.word.size()) best = foreign;
   return best.word.empty() ? std::string() : AnswerText(program, best, value);
 }
 
-std::string AnswerTo(Program program, const std::string& word, const std::string& value) {
+std::string AnswerTo(const Program& program, const std::string& word, const std::string& value) {
   for (const Foreign& foreign : ForeignWords(program))
     if (word == foreign.word) return AnswerText(program, foreign, value);
   return {};
@@ -103,8 +102,8 @@ bool IsOfPovRay(const std::string& word) {
   return word.size() > 1 && word[0] == '+' && std::isalpha(static_cast<unsigned char>(word[1]));
 }
 
-std::string ForeignHint(Program program, const std::string& word) {
-  if (program == Program::rayimg || program == Program::raygrade) return {};
+std::string ForeignHint(const Program& program, const std::string& word) {
+  if (!(program == Program::raypro || program == Program::rayview)) return {};
   if (IsOfPovRay(word)) return AnswerToPlus(program, word, DigitsAtTheEnd(word));
   const std::string option = "-" + SplitOption(word).name, digits = DigitsAtTheEnd(option);
   const std::string answer = AnswerTo(program, option, {});

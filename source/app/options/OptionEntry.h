@@ -3,9 +3,9 @@
 #include "source/app/options/OptionTable.h"
 #include "source/text/EnumNames.h"
 
-/// Where an option keeps its value: one lambda that reads a const Options and writes another.
-#define AT(member) \
-  [](auto& o) -> auto& { return o.member; }
+/// Where an option keeps its value in a program's own options: one lambda that reads const Options and writes others.
+#define AT_OF(Own, member) \
+  [](auto& o) -> auto& { return As<Own>(o).member; }
 
 namespace ray {
 
@@ -22,6 +22,18 @@ template <class Lambda>
 OneNameOf OneOfNames(Lambda, std::vector<std::string> (*choices)()) {
   return {choices, [](const Options& options) { return Lambda{}(options); },
           [](Options& options, const std::string& name) { Lambda{}(options) = name; }};
+}
+
+/// Several numbers kept as one value: `read` has nothing for those out of range, `show` writes those in force.
+template <auto read, auto show, class Lambda>
+NumberList NumbersOf(Lambda, const char* range) {
+  return {[](const Options& options) -> std::vector<double> { return show(Lambda{}(options)); },
+          [](Options& options, std::span<const double> numbers) {
+            const auto value = read(numbers);
+            if (value) Lambda{}(options) = *value;
+            return value.has_value();
+          },
+          range};
 }
 
 /// A word that `read` understands, or has nothing for, and `show` writes.

@@ -10,6 +10,8 @@
 
 #include "source/app/options/OptionFacts.h"
 #include "source/app/options/Options.h"
+#include "source/app/options/Pixel.h"
+#include "source/film/PixelRectangle.h"
 
 namespace ray {
 
@@ -62,7 +64,7 @@ struct Repeated {  // the only kind that may be: a word each time
   const char* range;  // in words
   std::optional<FileKind> kind{};
 };
-/// A list of as many numbers as the option has arguments.
+/// As many numbers as the option has arguments, kept as one value.
 struct NumberList {
   std::vector<double> (*read)(const Options&);
   bool (*write)(Options&, std::span<const double>);  // false when they are out of range
@@ -80,12 +82,15 @@ struct Word {
 struct Rectangle {
   Member<std::optional<PixelRectangle>> member;
 };
-struct PixelRequest {  // a task for one pixel
+/// What is printed instead of doing the program's own work.
+using Answer = std::string (*)(const Options&);
+struct PixelRequest {  // for one pixel of a scene
   Member<std::optional<Pixel>> member;
-  Task task;
+  Answer answer;
 };
-struct Request {  // a task other than the program's own
-  Task task;
+struct Request {
+  Answer answer;             // null: what is asked must come before all else
+  bool is_of_scene = false;  // which must be named then
   enum { nothing, perhaps, always } takes_subject = nothing;
   std::vector<std::string> (*subjects)() = nullptr;  // what the subject may be; null for a file name
   FileKind kind = FileKind::any;                     // of that file
@@ -95,8 +100,8 @@ using OptionValue =
     std::variant<Number<int>, Number<std::int64_t>, Number<std::uint64_t>, Number<double>, Flag, OnOff, OneNumberOf,
                  OneNameOf, FileName, Repeated, FileList, Rectangle, NumberList, Word, PixelRequest, Request>;
 
-/// Whose option it is; `both` are raypro and rayview, which render scenes.
-enum class KnownTo { raypro, rayview, both, rayimg, raygrade, all };
+/// Whose option it is: `both` are raypro and rayview, which render scenes, `one` is another program.
+enum class KnownTo { raypro, rayview, both, one, all };
 
 /// One option. The parser, -help, the manual page, the completions, the report and docs/options.md all come from this
 /// table.
@@ -121,18 +126,19 @@ struct CommandKind {
   const char* help;     // one line
   const char* details;  // of what it does and prints, in lines that fit a screen
 };
-std::span<const CommandKind> CommandsOf(Program program);
-std::vector<std::string> CommandNamesOf(Program program);
+std::vector<std::string> CommandNamesOf(const Program& program);
 /// Null when the program has none of that name.
-const CommandKind* FindCommand(Program program, const std::string& name);
+const CommandKind* FindCommand(const Program& program, const std::string& name);
 bool Takes(const CommandKind& command, const OptionKind& option);
 
 /// Every option of the program, by command or by topic.
-std::span<const OptionKind> OptionTable(Program program);
+inline std::span<const OptionKind> OptionTable(const Program& program) { return program.options(); }
+/// The options of a list that the program knows.
+std::vector<OptionKind> KnownOptions(std::vector<OptionKind> list, const Program& program);
 /// By name or alias, without dashes; null when the program has none.
-const OptionKind* FindOption(Program program, const std::string& name);
+const OptionKind* FindOption(const Program& program, const std::string& name);
 /// The headings of the help, in order; options of commands are under these instead.
-std::vector<std::string> OptionTopics(Program program);
+std::vector<std::string> OptionTopics(const Program& program);
 
 /// Stores what was typed behind an option, as many words as it takes arguments (none or one where that is open).
 /// Throws UsageError that names option, value and range.
@@ -153,9 +159,13 @@ std::vector<std::string> NamedValues(const OptionKind& option);
 std::optional<FileKind> FileOf(const OptionKind& option);
 /// "-crop x0 y0 x1 y1"
 std::string Synopsis(const OptionKind& option);
-/// Whether it chooses how a picture is made, rather than what the program does.
+/// Whether it chooses how an image is made, rather than what the program does.
 bool IsSetting(const OptionKind& option);
+/// Whether it is a request that needs a scene.
+bool IsOfScene(const OptionKind& option);
+/// What the program prints for a request. None where it must come before all else.
+Answer AnswerTo(const OptionKind& option);
 /// The names of all options of which the fact is true, in the order of the table.
-std::vector<std::string_view> OptionsWith(Program program, Fact fact);
+std::vector<std::string_view> OptionsWith(const Program& program, Fact fact);
 
 }  // namespace ray

@@ -118,16 +118,16 @@ std::string ChosenName(const OptionKind& option, const OneNameOf& one, const std
 
 void StoreRequest(const OptionKind& option, const Request& request, std::span<const std::string> words,
                   Options& options) {
-  options.task = request.task;
+  options.request = &option;
   if (words.empty()) return;
   // -help also takes the name of an option.
-  const bool is_option = request.task == Task::help && FindOption(options.program, WithoutDashes(words[0]));
+  const bool is_option = options.Asks("help") && FindOption(*options.program, WithoutDashes(words[0]));
   options.subject = is_option || !request.subjects ? words[0] : Choose(option, words[0], request.subjects());
 }
 
 void StorePixel(const OptionKind& option, const PixelRequest& request, std::span<const std::string> words,
                 Options& options) {
-  options.task = request.task;
+  options.request = &option;
   request.member.write(options) = {ReadOrRefuse<int>(option, words[0]), ReadOrRefuse<int>(option, words[1])};
 }
 
@@ -175,12 +175,24 @@ bool IsSetting(const OptionKind& option) {
   return !std::holds_alternative<Request>(option.value) && !std::holds_alternative<PixelRequest>(option.value);
 }
 
-std::vector<std::string_view> OptionsWith(Program program, Fact fact) {
+bool IsOfScene(const OptionKind& option) {
+  const auto* request = std::get_if<Request>(&option.value);
+  return request ? request->is_of_scene : std::holds_alternative<PixelRequest>(option.value);
+}
+
+Answer AnswerTo(const OptionKind& option) {
+  const auto* request = std::get_if<Request>(&option.value);
+  return request ? request->answer : std::get<PixelRequest>(option.value).answer;
+}
+
+std::vector<std::string_view> OptionsWith(const Program& program, Fact fact) {
   std::vector<std::string_view> names;
   for (const OptionKind& option : OptionTable(program))
     if (option.facts.Has(fact)) names.emplace_back(option.name);
   return names;
 }
+
+bool Options::Asks(const char* name) const { return request && std::string_view(request->name) == name; }
 
 std::string Options::WhyWithoutEffect(const OptionKind& option) const {
   constexpr std::string_view without = "without ";
@@ -227,9 +239,9 @@ std::string Options::Show(const OptionKind& option) const {
                     option.value);
 }
 
-std::vector<std::string> Options::TypedFor(Program reader, const OptionKind& option) const {
+std::vector<std::string> Options::TypedFor(const Program& reader, const OptionKind& option) const {
   const std::string name = "-" + std::string(option.name), value = Show(option);
-  const bool goes_without_saying = !IsGiven(option.name) && value == Defaults(reader).Show(option);
+  const bool goes_without_saying = !IsGiven(option.name) && value == reader.defaults()->Show(option);
   if (value.empty() || goes_without_saying) return {};
   if (std::holds_alternative<Flag>(option.value)) return {name};
   std::vector<std::string> words;

@@ -38,11 +38,11 @@ bool IsSetByPreset(const std::string& name, const std::string& option) {
   return false;
 }
 
-void ApplyPreset(Options& options) {
+void ApplyPreset(RenderOptions& options) {
   for (const Preset& preset : Presets()) {
     if (preset.name != options.quality) continue;
     for (const auto& [name, value] : preset.settings)
-      if (!options.IsGiven(name)) Store(*FindOption(options.program, name), std::vector<std::string>{value}, options);
+      if (!options.IsGiven(name)) Store(*FindOption(*options.program, name), std::vector<std::string>{value}, options);
   }
 }
 

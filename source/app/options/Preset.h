@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "source/app/options/OptionTable.h"
+#include "source/app/options/RenderOptions.h"
 
 namespace ray {
 
@@ -23,6 +23,6 @@ std::vector<std::string> PresetNames();
 /// Whether the preset of that name has a value for the option.
 bool IsSetByPreset(const std::string& preset, const std::string& option);
 /// Applies that preset, except for options that were given.
-void ApplyPreset(Options& options);
+void ApplyPreset(RenderOptions& options);
 
 }  // namespace ray

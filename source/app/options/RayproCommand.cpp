@@ -20,7 +20,7 @@ std::string AsName(const std::string& name) { return LooksLikeOption(name) || Is
 
 }  // namespace
 
-std::string RayproCommand(const Options& options) {
+std::string RayproCommand(const RenderOptions& options) {
   std::vector<std::string> words{"raypro", AsName(options.files.scene), AsName(options.files.picture)};
   for (const OptionKind& option : OptionTable(Program::raypro)) {
     if (!MakesTheImage(option)) continue;

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "source/app/Status.h"
-#include "source/app/options/CommandLine.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/Preset.h"
+#include "source/app/options/RenderChecks.h"
 #include "source/parse/Text.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Suggestion.h"
@@ -25,7 +25,7 @@ std::vector<std::string_view> SettingNames() {
 
 /// Whether the command line leaves nothing for the scene to decide. Samples on a grid cannot be had one pass after
 /// another, which budgets need.
-bool IsDecided(const Options& options, const OptionKind& option) {
+bool IsDecided(const RenderOptions& options, const OptionKind& option) {
   return (options.render.budget.IsOpen() && option.facts.Has(Fact::before_budgets)) || options.IsGiven(option.name) ||
          IsSetByPreset(options.quality, option.name);
 }
@@ -47,7 +47,7 @@ void Apply(const OptionKind& option, const SceneSetting& setting, Options& optio
 }
 
 /// Null for what the program has no use for, such as a size of the picture in a window.
-const OptionKind* OptionOf(const SceneSetting& setting, Program program) {
+const OptionKind* OptionOf(const SceneSetting& setting, const Program& program) {
   const OptionKind* option = FindOption(program, setting.option);
   return option && option->facts.Has(Fact::in_scenes) ? option : nullptr;
 }
@@ -72,10 +72,11 @@ std::vector<const SceneSetting*> WithoutRepetitions(const std::vector<SceneSetti
 }
 
 /// The settings that the command line leaves to the scene, with their options.
-std::vector<std::pair<const OptionKind*, const SceneSetting*>> InForce(const Scene& scene, const Options& options) {
+std::vector<std::pair<const OptionKind*, const SceneSetting*>> InForce(const Scene& scene,
+                                                                       const RenderOptions& options) {
   std::vector<std::pair<const OptionKind*, const SceneSetting*>> all;
   for (const SceneSetting* setting : WithoutRepetitions(scene.settings)) {
-    const OptionKind* option = OptionOf(*setting, options.program);
+    const OptionKind* option = OptionOf(*setting, *options.program);
     if (option && !IsDecided(options, *option)) all.emplace_back(option, setting);
   }
   return all;
@@ -90,13 +91,13 @@ bool Names(const std::string& message, const std::string& option) {
   return false;
 }
 
-void CheckLens(const Camera& camera, const Options& options) {
+void CheckLens(const Camera& camera, const RenderOptions& options) {
   if (options.render.camera.HasLens() && !camera.kind->has_lens)
     throw UsageError("-aperture has no effect with -projection " + std::string(camera.kind->name) +
                      ", which has no lens");
 }
 
-void CheckFlare(const Camera& camera, const Options& options) {
+void CheckFlare(const Camera& camera, const RenderOptions& options) {
   if (options.render.flare > 0 && !camera.IsPinhole())
     throw UsageError("-flare has no effect with -projection " + std::string(camera.kind->name) +
                      "; only a pinhole camera's image has lens flares");
@@ -109,7 +110,7 @@ void CheckFlare(const Camera& camera, const Options& options) {
 
 /// Settings that contradict each other are the scene's mistake where it makes all of them, and told at the first;
 /// beside options they are the user's, who may not know what the scene sets.
-[[noreturn]] void Blame(const UsageError& error, const Scene& scene, const Options& asked) {
+[[noreturn]] void Blame(const UsageError& error, const Scene& scene, const RenderOptions& asked) {
   const std::string message = error.what();
   for (const auto& [option, setting] : InForce(scene, asked)) {
     if (!Names(message, option->name)) continue;
@@ -129,7 +130,7 @@ std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) {
     return SettingProblem{"a scene cannot set " + Quoted(setting.option),
                           Suggestion(setting.option, SettingNames(), "settings")};
   try {
-    Options scratch;
+    RenderOptions scratch;
     Apply(*option, setting, scratch);
   } catch (const UsageError& error) {
     return SettingProblem{error.what(), {}};
@@ -137,21 +138,19 @@ std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) {
   return {};
 }
 
-Options WithSettingsOf(const Scene& scene, const Options& options) {
+void ApplySettings(const Scene& scene, RenderOptions& options) {
   CheckSettings(scene);
-  Options all = options;
-  for (const auto& [option, setting] : InForce(scene, options)) Apply(*option, *setting, all);
+  for (const auto& [option, setting] : InForce(scene, options)) Apply(*option, *setting, options);
   try {
-    CompleteForScene(all);
-    CheckLens(scene.camera, all);
-    CheckFlare(scene.camera, all);
+    CompleteForScene(options);
+    CheckLens(scene.camera, options);
+    CheckFlare(scene.camera, options);
   } catch (const UsageError& error) {
     Blame(error, scene, options);
   }
-  return all;
 }
 
-std::vector<std::string> SettingsInForce(const Scene& scene, const Options& options) {
+std::vector<std::string> SettingsInForce(const Scene& scene, const RenderOptions& options) {
   std::vector<std::string> lines;
   for (const auto& [option, setting] : InForce(scene, options))
     lines.push_back("-" + std::string(option->name) + " " + setting->value + " (" + setting->origin + ")");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 #include "source/scene/Scene.h"
 
 namespace ray {
@@ -9,11 +9,17 @@ namespace ray {
 /// ParseOptions.
 std::optional<SettingProblem> ProblemOf(const SceneSetting& setting);
 
-/// The options with the scene's own settings in force where neither the command line nor a preset that it asked for
-/// says otherwise. Throws SceneErrors for a setting that no scene may make, or that is not in its option's range.
-Options WithSettingsOf(const Scene& scene, const Options& options);
+/// Puts the scene's own settings in force where neither the command line nor a preset that it asked for says otherwise.
+/// Throws SceneErrors for a setting that no scene may make, or that is not in its option's range.
+void ApplySettings(const Scene& scene, RenderOptions& options);
+/// The options with these settings.
+template <class Own>
+Own WithSettingsOf(const Scene& scene, Own options) {
+  ApplySettings(scene, options);
+  return options;
+}
 
 /// "-max_depth 2 (room.scn:12:3)" for each setting of the scene that is in force.
-std::vector<std::string> SettingsInForce(const Scene& scene, const Options& options);
+std::vector<std::string> SettingsInForce(const Scene& scene, const RenderOptions& options);
 
 }  // namespace ray

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "R2/compare/Flip.h"
+#include "source/app/options/Options.h"
 #include "source/film/Filter.h"
 #include "source/film/PixelRectangle.h"
 
@@ -16,10 +17,10 @@ enum class MapOf { flip, display };
 inline constexpr std::array map_names{"flip", "display"};
 constexpr const auto& NamesOf(MapOf) { return map_names; }
 
-/// What the commands of rayimg are asked. Names, ranges and help are in
-/// source/app/options/RayimgTable.cpp; the defaults are here.
-struct ImageOptions {
-  std::vector<std::string> names;  // of files, as typed
+/// What the commands of rayimg are asked. Names of options, ranges and help are in RayimgTable.cpp; the defaults are
+/// here.
+struct ImageOptions : Options {
+  ImageOptions() : Options(Program::rayimg) {}
 
   // light and files
   bool srgb = false;

@@ -2,6 +2,7 @@
 
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/OptionTable.h"
+#include "source/app/options/RenderChecks.h"
 #include "source/text/Words.h"
 
 namespace ray {
@@ -21,7 +22,7 @@ std::vector<std::string> WordsFor(const OptionKind& option, const std::string& v
 
 }  // namespace
 
-std::vector<ShownOption> OptionsOfPanels(const Options& options) {
+std::vector<ShownOption> OptionsOfPanels(const ViewerOptions& options) {
   std::vector<ShownOption> shown;
   for (const OptionKind& option : OptionTable(Program::rayview))
     if (IsInPanels(option))
@@ -30,7 +31,7 @@ std::vector<ShownOption> OptionsOfPanels(const Options& options) {
   return shown;
 }
 
-Options WithOption(const Options& options, const std::string& name, const std::string& value) {
+ViewerOptions WithOption(const ViewerOptions& options, const std::string& name, const std::string& value) {
   std::vector<std::string> words{options.files.scene};
   const auto add = [&](const std::vector<std::string>& more) { words.insert(words.end(), more.begin(), more.end()); };
   for (const OptionKind& option : OptionTable(Program::rayview)) {
@@ -46,7 +47,7 @@ Options WithOption(const Options& options, const std::string& name, const std::s
         add({"-" + name}), add(behind);
     }
   }
-  Options changed = ReadCommandLine(Program::rayview, words);
+  ViewerOptions changed = ReadCommandLine<ViewerOptions>(Program::rayview, words);
   CompleteForScene(changed);
   CheckMachine(changed.render, changed.accelerator);
   return changed;

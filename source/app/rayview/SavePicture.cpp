@@ -22,7 +22,7 @@ std::vector<std::string_view> TextsOf(const LoadedScene& scene) {
   return texts;
 }
 
-RunStats RecordOf(const Options& options, const LoadedScene& scene, const RenderResult& result, double seconds) {
+RunStats RecordOf(const RenderOptions& options, const LoadedScene& scene, const RenderResult& result, double seconds) {
   RunStats record;
   record.options = options;
   record.picture = options.files.picture;
@@ -36,7 +36,7 @@ RunStats RecordOf(const Options& options, const LoadedScene& scene, const Render
 
 }  // namespace
 
-std::string SaveTraced(const PictureOutput* output, Options options, const LoadedScene& scene,
+std::string SaveTraced(const PictureOutput* output, RenderOptions options, const LoadedScene& scene,
                        const RenderResult& result, double seconds) {
   assert(result.IsComplete());
   std::optional<Camera>& view = options.render.view;

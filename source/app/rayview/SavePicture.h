@@ -15,7 +15,7 @@ namespace ray {
 ///   seconds   that it took
 ///   returns   the line that raypro would print
 /// Throws OutputError, and R2::ImageError when the format cannot hold the size.
-std::string SaveTraced(const PictureOutput* output, Options options, const LoadedScene& scene,
+std::string SaveTraced(const PictureOutput* output, RenderOptions options, const LoadedScene& scene,
                        const RenderResult& result, double seconds);
 
 /// Writes what was drawn, whose values are as they are shown. Throws OutputError, and R2::ImageError when the format

@@ -12,8 +12,8 @@ namespace {
 
 /// The identity that raypro would give the render: that of the scene's files, which are those on the disk where nothing
 /// was edited.
-std::string IdentityForRaypro(const RenderJob& job, Options options) {
-  options.program = Program::raypro;
+std::string IdentityForRaypro(const RenderJob& job, RenderOptions options) {
+  options.program = &Program::raypro;
   return IdentityOf(options, SceneHash(job.scene().parsed.scene.files));
 }
 
@@ -26,7 +26,7 @@ bool IsEdited(const LoadedScene& scene) {
 
 }  // namespace
 
-std::string StoppedRender::Keep(const RenderJob& stopped, Options options) {
+std::string StoppedRender::Keep(const RenderJob& stopped, RenderOptions options) {
   if (options.files.picture.empty()) return {};
   if (stopped.Settings().view) return "raypro could not: the camera is not the scene's (Shift+K, Control+S)";
   if (IsEdited(stopped.scene())) return "raypro could not: the scene has changes that are not saved";
@@ -43,7 +43,7 @@ std::string StoppedRender::Keep(const RenderJob& stopped, Options options) {
   }
 }
 
-void StoppedRender::Finished(const RenderJob& complete, Options options) {
+void StoppedRender::Finished(const RenderJob& complete, RenderOptions options) {
   if (checkpoint_ && IdentityForRaypro(complete, std::move(options)) == identity_)
     checkpoint_->PictureIsFinished(false);
   checkpoint_.reset();

@@ -13,9 +13,9 @@ class StoppedRender {
  public:
   /// `options`: with `render` as it was traced. Returns in words how it goes on; why it was not kept; or nothing where
   /// there is no name to keep it under.
-  std::string Keep(const RenderJob& stopped, Options options);
+  std::string Keep(const RenderJob& stopped, RenderOptions options);
   /// The job is complete, and its picture about to be saved: its checkpoint goes, if it was kept.
-  void Finished(const RenderJob& complete, Options options);
+  void Finished(const RenderJob& complete, RenderOptions options);
 
  private:
   std::optional<Checkpoint> checkpoint_;

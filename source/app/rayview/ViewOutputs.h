@@ -5,6 +5,7 @@
 #include <string>
 
 #include "source/app/files/Outputs.h"
+#include "source/app/options/ViewerOptions.h"
 
 namespace ray {
 

@@ -14,6 +14,7 @@
 #include "source/app/Interrupt.h"
 #include "source/app/Status.h"
 #include "source/app/files/ReadInputs.h"
+#include "source/app/options/OptionTable.h"
 #include "source/app/options/RayproCommand.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/rayview/PanelHabits.h"
@@ -75,14 +76,14 @@ std::string FreeRaysName() {
   }
 }
 
-ViewerSettings SettingsFor(const Options& options) {
+ViewerSettings SettingsFor(const ViewerOptions& options) {
   ViewerSettings settings{options.files.scene, options.parse, options.accelerator, options.render, {}};
   settings.live_is_endless = IsLookedAt(options.view) && !options.IsGiven("samples") && options.render.samples == 1;
   return settings;
 }
 
 /// The file of the user's habits; none for scripts and recordings, which must not depend on them.
-std::string HabitsFile(const Options& options) {
+std::string HabitsFile(const ViewerOptions& options) {
   return IsLookedAt(options.view) && options.view.record.empty() ? PanelHabitsFile() : std::string();
 }
 
@@ -139,7 +140,7 @@ class Recorder {
 /// A viewer, something to draw on, and the files around them.
 class Session : public ViewerHost {
  public:
-  Session(const Options& asked, const Options& options, const ViewOutputs& outputs,
+  Session(const ViewerOptions& asked, const ViewerOptions& options, const ViewOutputs& outputs,
           std::shared_ptr<const LoadedScene> scene, std::unique_ptr<Window> window)
       : asked_(asked),
         options_(options),
@@ -185,7 +186,7 @@ class Session : public ViewerHost {
   }
 
   std::string SaveTraced(const RenderJob& job) override {
-    const Options options = OptionsOf(job);
+    const ViewerOptions options = OptionsOf(job);
     stopped_.Finished(job, options);
     return Attempt([&] {
       if (outputs_.image) RefuseInputs(outputs_.image->file, FilesRead());
@@ -242,13 +243,13 @@ class Session : public ViewerHost {
     for (const std::string& file : scene.files)  // of a scene that is edited they are the same again and again
       if (std::ranges::find(inputs_, file) == inputs_.end()) inputs_.push_back(file);
     if (!scene.files.empty()) recent_.Add(scene.files.front());
-    Options options = WithSettingsOf(scene, asked_);
+    ViewerOptions options = WithSettingsOf(scene, asked_);
     for (const auto& [name, value] : changes_) options = WithOption(options, name, value);
     options_ = std::move(options);
     return SettingsFor(options_);
   }
   std::string CommandFor(const RenderSettings& settings) override {
-    Options options = options_;
+    ViewerOptions options = options_;
     options.render = settings;
     options.render.threads = options_.render.threads;
     options.render.budget = WithoutLimits(settings.budget);  // key S takes all samples
@@ -259,8 +260,8 @@ class Session : public ViewerHost {
 
  private:
   /// The options that make the image of a job of key S.
-  Options OptionsOf(const RenderJob& job) const {
-    Options options = options_;
+  ViewerOptions OptionsOf(const RenderJob& job) const {
+    ViewerOptions options = options_;
     options.render = job.Settings();
     options.render.threads = options_.render.threads;  // a job fills in how many it took
     std::erase_if(options.given, IsOfBudget);
@@ -417,8 +418,8 @@ class Session : public ViewerHost {
     DrawNewsInWindow();
   }
 
-  const Options asked_;                                       // on the command line, without the scene's settings
-  Options options_;                                           // with these, and as changed in panels
+  const ViewerOptions asked_;                                 // on the command line, without the scene's settings
+  ViewerOptions options_;                                     // with these, and as changed in panels
   std::vector<std::pair<std::string, std::string>> changes_;  // made there
   const ViewOutputs outputs_;
   std::vector<std::string> inputs_;  // read since the start
@@ -443,7 +444,7 @@ class Session : public ViewerHost {
 
 bool IsLookedAt(const ViewOptions& view) { return !view.headless && view.events.empty(); }
 
-int View(const Options& asked, const Options& options, const ViewOutputs& outputs,
+int View(const ViewerOptions& asked, const ViewerOptions& options, const ViewOutputs& outputs,
          std::shared_ptr<const LoadedScene> scene, const SceneErrors* mistakes, std::unique_ptr<Window> window) {
   CatchInterrupts();
   // What the scene says of the image's size is known only now.

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "source/app/options/Options.h"
+#include "source/app/options/ViewerOptions.h"
 #include "source/app/rayview/ViewOutputs.h"
 #include "source/view/LoadedScene.h"
 #include "source/view/contexts/Context.h"
@@ -19,7 +19,7 @@ bool IsLookedAt(const ViewOptions& view);
 ///   window    to be shown in; null to open one where there is to be any
 ///   returns   an exit status
 /// Throws ContextError when there is nothing to draw with.
-int View(const Options& asked, const Options& options, const ViewOutputs& outputs,
+int View(const ViewerOptions& asked, const ViewerOptions& options, const ViewOutputs& outputs,
          std::shared_ptr<const LoadedScene> scene, const SceneErrors* mistakes = nullptr,
          std::unique_ptr<Window> window = nullptr);
 

@@ -99,7 +99,7 @@ bool HasName(const Settings& settings, const std::string& name) {
 
 class Advisor {
  public:
-  Advisor(const World& world, const Accelerator& accelerator, const Options& options, double seconds_to_start)
+  Advisor(const World& world, const Accelerator& accelerator, const RenderOptions& options, double seconds_to_start)
       : world_(world),
         accelerator_(accelerator),
         options_(WithTarget(options)),
@@ -160,17 +160,17 @@ class Advisor {
   }
 
  private:
-  static Options WithTarget(Options options) {
+  static RenderOptions WithTarget(RenderOptions options) {
     if (!options.render.budget.error) options.render.budget.error = usual_target;
     return options;
   }
   /// The image's name decides its format, PNG where none is given.
-  static std::string PictureName(const Options& options) {
+  static std::string PictureName(const RenderOptions& options) {
     return options.files.picture.empty() ? standard_stream : options.files.picture;
   }
 
   RenderSettings With(const Settings& settings) const {
-    Options changed = options_;
+    RenderOptions changed = options_;
     for (const auto& [name, value] : settings)
       Store(*FindOption(Program::raypro, name),
             value.empty() ? std::vector<std::string>{} : std::vector<std::string>{value}, changed);
@@ -297,7 +297,7 @@ class Advisor {
 
   const World& world_;
   const Accelerator& accelerator_;
-  const Options options_;
+  const RenderOptions options_;
   const bool has_target_;  // asked for
   const ErrorTarget target_;
   const double seconds_beside_;  // to start, and to write the image
@@ -309,7 +309,7 @@ class Advisor {
 
 }  // namespace
 
-std::string Advice(const World& world, const Accelerator& accelerator, const Options& options,
+std::string Advice(const World& world, const Accelerator& accelerator, const RenderOptions& options,
                    double seconds_to_start) {
   return Advisor(world, accelerator, options, seconds_to_start).Text();
 }

@@ -4,7 +4,7 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 
 namespace ray {
 
@@ -12,6 +12,7 @@ namespace ray {
 /// for and with others that suit the scene; forecasts of each after how many samples and seconds the image claims the
 /// error asked for, by default 2/255; and recommends the fastest.
 ///   seconds_to_start   of one processor, that a render of the scene takes until its first ray
-std::string Advice(const World& world, const Accelerator& accelerator, const Options& options, double seconds_to_start);
+std::string Advice(const World& world, const Accelerator& accelerator, const RenderOptions& options,
+                   double seconds_to_start);
 
 }  // namespace ray

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "source/accelerate/Accelerator.h"
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 
 namespace ray {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "source/accelerate/World.h"
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 
 namespace ray {
 

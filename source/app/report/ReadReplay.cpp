@@ -41,14 +41,14 @@ std::string Shown(const Json& value) {
 }
 
 /// The report says how many samples are taken; a user who asks for another number besides is mistaken.
-bool MustAgree(const OptionKind& option, const Options& options) {
+bool MustAgree(const OptionKind& option, const RenderOptions& options) {
   return option.facts.Has(Fact::image) || (option.name == std::string("samples") && options.IsGiven("samples"));
 }
 
 void RequireSameSettings(const Json& settings, const RunStats& run) {
-  const Options& options = run.options;
+  const RenderOptions& options = run.options;
   const Json ours = SettingsJson(run);
-  for (const OptionKind& option : OptionTable(options.program)) {
+  for (const OptionKind& option : OptionTable(*options.program)) {
     const std::string name = option.name;
     if (!MustAgree(option, options)) continue;
     const Json& then = settings.at(name);

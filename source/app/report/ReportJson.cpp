@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 /// The value of an option, as JSON.
 struct ValueIn {
-  const Options& options;
+  const RenderOptions& options;
 
   template <class Plain>
   Json operator()(const Plain& plain) const {
@@ -43,9 +43,9 @@ struct ValueIn {
 }  // namespace
 
 nlohmann::ordered_json SettingsJson(const RunStats& record) {
-  const Options& options = record.options;
+  const RenderOptions& options = record.options;
   Json settings;
-  for (const OptionKind& option : OptionTable(options.program))
+  for (const OptionKind& option : OptionTable(*options.program))
     if (IsSetting(option)) settings[option.name] = std::visit(ValueIn{options}, option.value);
   return settings;
 }

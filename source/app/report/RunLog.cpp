@@ -25,9 +25,9 @@ namespace {
 
 /// "-focus has no effect without -aperture": options that were typed and that this image, or this acceleration
 /// structure, makes no use of.
-std::vector<std::string> OptionsWithoutEffect(const Options& options) {
+std::vector<std::string> OptionsWithoutEffect(const RenderOptions& options) {
   std::vector<std::string> lines;
-  for (const OptionKind& option : OptionTable(options.program))
+  for (const OptionKind& option : OptionTable(*options.program))
     if (const std::string why = options.WhyWithoutEffect(option); options.IsGiven(option.name) && !why.empty())
       lines.push_back("-" + std::string(option.name) + " has no effect " + why);
   const RenderSettings& render = options.render;
@@ -65,7 +65,7 @@ std::vector<std::string> ExplainRender(const World& world, const RunStats& stats
   std::vector<std::string> lines{"features: " + listed(stats.needs), "kernel: " + stats.kernel,
                                  "sources of bias: " + listed(stats.biased)};
   std::string settings;
-  for (const OptionKind& option : OptionTable(stats.options.program))
+  for (const OptionKind& option : OptionTable(*stats.options.program))
     if (IsSetting(option) && !option.facts.Has(Fact::messages) && !stats.options.Show(option).empty())
       settings += " -" + std::string(option.name) + " " + stats.options.Show(option);
   lines.push_back("all settings:" + settings);
@@ -96,9 +96,9 @@ std::string ExplainParts(const RunStats& stats) {
 
 RunLog::RunLog(std::span<const std::string> words) { stats_.command = CommandAsTyped(words); }
 
-void RunLog::Loaded(const ParsedScene& parsed, Options all) {
+void RunLog::Loaded(const ParsedScene& parsed, RenderOptions all) {
   stats_.options = std::move(all);
-  const Options& options = stats_.options;
+  const RenderOptions& options = stats_.options;
   stats_.picture = options.files.picture;
   stats_.threads = ThreadsOf(options.render);
   stats_.scene.settings = SettingsInForce(parsed.scene, options);

@@ -16,7 +16,7 @@ class RunLog {
   explicit RunLog(std::span<const std::string> words);
 
   /// `all`: the options, with the scene's own settings.
-  void Loaded(const ParsedScene& parsed, Options all);
+  void Loaded(const ParsedScene& parsed, RenderOptions all);
   void Built(const World& world, const Accelerator& accelerator);
   /// Before the first sample of a render with a time limit: what its image takes without any, by the budget that the
   /// render has.

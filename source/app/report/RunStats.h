@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "R2/ImageFile.h"
-#include "source/app/options/Options.h"
+#include "source/app/options/RenderOptions.h"
 #include "source/integrate/RayCounts.h"
 #include "source/render/Render.h"
 
@@ -13,7 +13,7 @@ namespace ray {
 
 /// Everything about a run that is written into the image, a report or the terminal.
 struct RunStats {
-  Options options;
+  RenderOptions options;
   std::string command;  // as typed
   std::string picture;  // the file it went to
 

@@ -6,6 +6,7 @@
 
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
+#include "source/app/options/RenderChecks.h"
 #include "tests/source/app/Place.h"
 
 namespace ray {
@@ -20,7 +21,7 @@ using testing::SceneFolder;
 using testing::With;
 using testing::WriteFile;
 
-Options OptionsOfDenoiser(const List& more) {
+RenderOptions OptionsOfDenoiser(const List& more) {
   return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more));
 }
 
@@ -36,7 +37,7 @@ struct StageForDenoiser : SceneFolder {
 
 TEST(Denoiser, IsOursByDefaultAndAutoIsResolvedBeforeRendering) {
   EXPECT_EQ(OptionsOfDenoiser({"-denoise", "-samples", "4"}).render.denoiser, Denoiser::regression);
-  Options options = OptionsOfDenoiser({"-denoise", "-samples", "4", "-denoiser", "auto"});
+  RenderOptions options = OptionsOfDenoiser({"-denoise", "-samples", "4", "-denoiser", "auto"});
   CompleteForScene(options);
   EXPECT_EQ(options.render.denoiser, OpenImageDenoise::IsPresent() ? Denoiser::both : Denoiser::regression);
 }

@@ -288,7 +288,7 @@ struct Asked {
     options = WithSettingsOf(parsed.scene, ReadCommandLine(Program::raypro, words));
     identity = IdentityOf(options, SceneHash(parsed.scene.files));
   }
-  Options options;
+  RenderOptions options;
   std::string identity;
 };
 

@@ -13,6 +13,7 @@
 #include "source/app/options/BudgetWords.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Preset.h"
+#include "source/app/options/RenderChecks.h"
 #include "tests/source/app/Place.h"
 
 namespace ray {
@@ -30,11 +31,11 @@ using testing::TemporaryFolder;
 using testing::With;
 using testing::WriteFile;
 
-Options Parsed(const List& more) { return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more)); }
+RenderOptions Parsed(const List& more) { return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more)); }
 
 std::string ErrorOf(const List& more) {
   try {
-    Options options = Parsed(more);
+    RenderOptions options = Parsed(more);
     CompleteForScene(options);
   } catch (const UsageError& error) {
     return error.what();
@@ -119,7 +120,7 @@ TEST(TradeWords, ATimeHasAUnitOrIsInSeconds) {
 
 TEST(TradeWords, OptionsOverridePresetsInAnyOrder) {
   ASSERT_GE(Presets().size(), 4u);
-  const Options draft = Parsed({"-quality", "draft"});
+  const RenderOptions draft = Parsed({"-quality", "draft"});
   EXPECT_EQ(draft.render.samples, 4);
   EXPECT_EQ(draft.render.trace.max_depth, 20);
   EXPECT_EQ(draft.render.trace.roulette, Roulette::on);

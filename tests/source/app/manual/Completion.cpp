@@ -22,7 +22,7 @@ class Completion : public ::testing::Test {
   }
 
   /// What bash offers for the last of the words, in the order of the alphabet, with strokes between.
-  std::string Offers(Program program, const std::string& words) const {
+  std::string Offers(const Program& program, const std::string& words) const {
     const std::string script = folder_ / "complete.mp3";
     ray::testing::WriteFile(script, CompletionScript(program, "bash"));
     const std::string command = "cd \"" + folder_ / "." +

@@ -10,6 +10,7 @@
 #include "source/app/manual/Listing.h"
 #include "source/app/manual/Manual.h"
 #include "source/app/options/OptionTable.h"
+#include "source/parse/Parse.h"
 #include "source/parse/scn/Command.h"
 #include "tests/source/app/Program.h"
 #include "tests/source/app/options/ScenePrograms.h"
@@ -45,11 +46,11 @@ std::string Entry(const OptionKind& option) {
 }
 
 TEST(Help, NamesEveryOptionAndItsDefaultAndFitsTheScreen) {
-  for (const Program program : scene_programs) {
+  for (const Program& program : scene_programs) {
     const std::string help = Help(program, "");
     for (const OptionKind& option : OptionTable(program)) {
       EXPECT_EQ(Count(help, Entry(option)), 1u) << option.name;
-      const std::string value = Defaults(program).Show(option);
+      const std::string value = program.defaults()->Show(option);
       EXPECT_TRUE(value.empty() || Has(Help(program, option.name), "default " + value + ")")) << option.name;
     }
     for (const std::string& line : Lines(help)) EXPECT_LE(line.size(), 120u) << line;
@@ -58,7 +59,7 @@ TEST(Help, NamesEveryOptionAndItsDefaultAndFitsTheScreen) {
 
 // Every text that a program prints of itself speaks of its options and of no other program's.
 TEST(Help, NoTextNamesOptionsOfTheOtherProgram) {
-  for (const Program program : scene_programs)
+  for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(TheOther(program))) {
       if (FindOption(program, option.name)) continue;
       const std::string name = option.name;
@@ -72,14 +73,14 @@ TEST(Help, NoTextNamesOptionsOfTheOtherProgram) {
 }
 
 TEST(Help, ATopicHoldsItsOptionsAndNoOthers) {
-  for (const Program program : scene_programs)
+  for (const Program& program : scene_programs)
     for (const std::string& topic : OptionTopics(program))
       for (const OptionKind& option : OptionTable(program))
         EXPECT_EQ(Has(Help(program, topic), Entry(option)), topic == option.topic) << topic << " " << option.name;
 }
 
 TEST(Help, TopicsAreTogetherInTheTable) {
-  for (const Program program : scene_programs) {
+  for (const Program& program : scene_programs) {
     std::vector<std::string> topics = OptionTopics(program);
     std::ranges::sort(topics);
     EXPECT_EQ(std::ranges::adjacent_find(topics), topics.end());
@@ -87,7 +88,7 @@ TEST(Help, TopicsAreTogetherInTheTable) {
 }
 
 TEST(Help, ShowsNoAlias) {
-  for (const Program program : scene_programs)
+  for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(program))
       for (const char* alias : option.aliases)
         EXPECT_FALSE(Has(Help(program, ""), "-" + std::string(alias) + " ")) << alias;
@@ -114,12 +115,12 @@ TEST(Help, RayviewsMarkdownHasRowsForItsOwnOptionsAlone) {
 TEST(Help, TheDocumentedOptionTableIsOurs) {
   const char* root = std::getenv("RAYPRO_ROOT");
   const std::string page = testing::ReadFile(std::string(root ? root : ".") + "/docs/options.md");
-  for (const Program program : scene_programs)
+  for (const Program& program : scene_programs)
     EXPECT_TRUE(Has(page, Help(program, "markdown"))) << "script/update_docs.sh brings it up to date";
 }
 
 TEST(Manual, NamesEveryOptionAndHasNoStrayDots) {
-  for (const Program program : scene_programs) {
+  for (const Program& program : scene_programs) {
     const std::string page = ManualPage(program);
     EXPECT_TRUE(Has(page, ".SH NAME\n" + NameOf(program) + " \\- "));
     for (const OptionKind& option : OptionTable(program))
@@ -161,7 +162,7 @@ TEST(Manual, OfScenesShowsAnExampleThatIsOne) {
 TEST(Manual, FormatsWithoutAWordFromRoff) {
   if (std::system("command -v groff >/dev/null 2>&1") != 0) GTEST_SKIP() << "groff is not installed";
   const ray::testing::TemporaryFolder folder;
-  for (const Program program : scene_programs)
+  for (const Program& program : scene_programs)
     for (const std::string& name : {std::string(), std::string("scn")}) {
       ray::testing::WriteFile(folder / "page", ManualPage(name, program));
       std::system(("groff -man -Tutf8 -ww '" + folder / "page" + "' 2>'" + folder / "words" + "' >/dev/null").c_str());
@@ -170,7 +171,7 @@ TEST(Manual, FormatsWithoutAWordFromRoff) {
 }
 
 TEST(CompletionScript, TeachesEveryShellEveryOption) {
-  for (const Program program : scene_programs) {
+  for (const Program& program : scene_programs) {
     std::string bash_words = CompletionScript(program, "bash");
     std::ranges::replace(bash_words, '\'', ' ');
     for (const OptionKind& option : OptionTable(program)) {
@@ -183,7 +184,7 @@ TEST(CompletionScript, TeachesEveryShellEveryOption) {
 }
 
 TEST(Listing, EverySubjectListsSomethingAndAllTogetherListEverything) {
-  for (const Program program : scene_programs) {
+  for (const Program& program : scene_programs) {
     for (const std::string& subject : ListSubjects(program)) {
       const std::string list = Listing(program, subject, {"H  this help"});
       EXPECT_TRUE(list.starts_with(subject + ":\n  ")) << list;
@@ -197,7 +198,7 @@ TEST(Listing, EverySubjectListsSomethingAndAllTogetherListEverything) {
 }
 
 TEST(Version, NamesTheProgramAndItsFeatures) {
-  for (const Program program : scene_programs) {
+  for (const Program& program : scene_programs) {
     EXPECT_TRUE(Version(program).starts_with(NameOf(program) + " "));
     EXPECT_TRUE(Has(Version(program), "\nbuilt with: jpeg="));
   }

@@ -1,4 +1,5 @@
 #include "source/app/options/CommandLine.h"
+#include "source/app/options/RenderChecks.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 
 #include "source/app/Status.h"
 #include "source/app/options/OptionTable.h"
+#include "source/app/options/ViewerOptions.h"
 #include "tests/source/app/Program.h"
 #include "tests/source/app/options/ScenePrograms.h"
 
@@ -21,20 +23,22 @@ using testing::Has;
 
 using Words = std::vector<std::string>;
 
-Options Parsed(const Words& words) { return ReadCommandLine(Program::raypro, words); }
+RenderOptions Parsed(const Words& words) { return ReadCommandLine(Program::raypro, words); }
 
 /// The names that a program needs, with more words behind them.
-Words Beside(Program program, const Words& more) {
+Words Beside(const Program& program, const Words& more) {
   Words words{"in.scn"};
   if (program == Program::raypro) words.emplace_back("out.ppm");
   return testing::With(words, more);
 }
-Options ViewParsed(const Words& more) { return ReadCommandLine(Program::rayview, Beside(Program::rayview, more)); }
+ViewerOptions ViewParsed(const Words& more) {
+  return ReadCommandLine<ViewerOptions>(Program::rayview, Beside(Program::rayview, more));
+}
 
 /// The message of the error, or "" when there is none.
-std::string ErrorOf(const Words& words, Program program = Program::raypro) {
+std::string ErrorOf(const Words& words, const Program& program = Program::raypro) {
   try {
-    Options options = ReadCommandLine(program, words);
+    auto options = ReadCommandLine(program, words);
     if (!options.files.scene.empty()) CompleteForScene(options);
   } catch (const UsageError& error) {
     return error.what();
@@ -43,7 +47,7 @@ std::string ErrorOf(const Words& words, Program program = Program::raypro) {
 }
 
 /// Beside the names that a render needs.
-std::string ErrorBeside(const Words& words, Program program = Program::raypro) {
+std::string ErrorBeside(const Words& words, const Program& program = Program::raypro) {
   return ErrorOf(Beside(program, words), program);
 }
 
@@ -63,7 +67,7 @@ bool IsNumber(const OptionKind& option) {
 }
 
 TEST(CommandLine, NoTwoOptionsShareANameOrAlias) {
-  for (const Program program : programs) {
+  for (const Program& program : programs) {
     std::vector<std::string> names;
     for (const OptionKind& option : OptionTable(program)) {
       names.emplace_back(option.name);
@@ -76,36 +80,36 @@ TEST(CommandLine, NoTwoOptionsShareANameOrAlias) {
 
 // A default that the option itself refuses, or reads as something else, would make the help lie.
 TEST(CommandLine, EveryOptionGivenItsDefaultChangesNothing) {
-  for (const Program program : scene_programs) {
-    const Options defaults = Defaults(program);
+  for (const Program& program : scene_programs) {
+    const auto defaults = program.defaults();
     for (const OptionKind& option : OptionTable(program)) {
-      Words words = Split(defaults.Show(option));
+      Words words = Split(defaults->Show(option));
       if (words.empty()) continue;
       words.insert(words.begin(), "-" + std::string(option.name));
-      const Options options = ReadCommandLine(program, Beside(program, words));
+      const auto options = ReadWords(program, Beside(program, words));
       for (const OptionKind& other : OptionTable(program))
-        EXPECT_EQ(options.Show(other), defaults.Show(other)) << option.name;
+        EXPECT_EQ(options->Show(other), defaults->Show(other)) << option.name;
     }
   }
 }
 
 TEST(CommandLine, EveryOptionTakesEachOfItsChoices) {
-  for (const Program program : scene_programs)
+  for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(program)) {
       if (!IsSetting(option)) continue;
       for (const std::string& choice : Choices(option)) {
         Words words{"-" + std::string(option.name), choice};
         if (words[0] == "-context") words.emplace_back("-headless");
-        EXPECT_EQ(ReadCommandLine(program, Beside(program, words)).Show(option), choice);
+        EXPECT_EQ(ReadWords(program, Beside(program, words))->Show(option), choice);
       }
     }
 }
 
 TEST(CommandLine, DefaultsAreTheCoursesAndTheSpecifications) {
-  const Options o = Parsed({"in.scn", "out.jpg"});
+  const RenderOptions o = Parsed({"in.scn", "out.jpg"});
   EXPECT_EQ(o.files.scene, "in.scn");
   EXPECT_EQ(o.files.picture, "out.jpg");
-  EXPECT_EQ(o.task, Task::render);
+  EXPECT_FALSE(o.request);
   EXPECT_EQ(o.render.width, 256);
   EXPECT_EQ(o.render.height, 256);
   EXPECT_EQ(o.render.samples, 1);
@@ -131,7 +135,7 @@ TEST(CommandLine, OneDashTwoDashesAndEqualsMeanTheSame) {
 }
 
 TEST(CommandLine, OptionsMayStandBeforeBetweenAndBehindTheNames) {
-  const Options o = Parsed({"-width", "5", "in.scn", "-srgb", "out.ppm", "-crop", "1", "2", "3", "4"});
+  const RenderOptions o = Parsed({"-width", "5", "in.scn", "-srgb", "out.ppm", "-crop", "1", "2", "3", "4"});
   EXPECT_EQ(o.files.scene, "in.scn");
   EXPECT_EQ(o.files.picture, "out.ppm");
   EXPECT_EQ(o.render.width, 5);
@@ -141,7 +145,7 @@ TEST(CommandLine, OptionsMayStandBeforeBetweenAndBehindTheNames) {
 }
 
 TEST(CommandLine, BehindTwoDashesEverythingIsAName) {
-  const Options o = Parsed({"--", "-in.scn", "-width.ppm"});
+  const RenderOptions o = Parsed({"--", "-in.scn", "-width.ppm"});
   EXPECT_EQ(o.files.scene, "-in.scn");
   EXPECT_EQ(o.files.picture, "-width.ppm");
 }
@@ -150,18 +154,18 @@ TEST(CommandLine, SilentAliasesSetTheSameValue) {
   EXPECT_EQ(Parsed({"a", "b", "-maxreflections", "7"}).render.trace.max_depth, 7);
   EXPECT_EQ(Parsed({"a", "b", "-max_reflections", "7"}).render.trace.max_depth, 7);
   EXPECT_EQ(Parsed({"a", "b", "-minluminance", "0.5"}).render.trace.min_luminance, 0.5);
-  EXPECT_EQ(Parsed({"a", "-dry-run"}).task, Task::check);
+  EXPECT_TRUE(Parsed({"a", "-dry-run"}).Asks("check"));
 }
 
 TEST(CommandLine, SrgbMakesTheWholeRoadLinear) {
-  const Options o = Parsed({"a", "b", "-srgb"});
+  const RenderOptions o = Parsed({"a", "b", "-srgb"});
   EXPECT_TRUE(o.encoding.srgb);
   EXPECT_TRUE(o.parse.decode_srgb);
   EXPECT_FALSE(Parsed({"a", "b"}).parse.decode_srgb);
 }
 
 TEST(CommandLine, FoldersMayBeAllowedOneAfterTheOther) {
-  const Options o = Parsed({"a", "b", "-allow_path", "x", "-allow_path=y"});
+  const RenderOptions o = Parsed({"a", "b", "-allow_path", "x", "-allow_path=y"});
   ASSERT_EQ(o.parse.allowed_folders.size(), 2u);
   EXPECT_EQ(o.parse.allowed_folders[1], "y");
 }
@@ -206,7 +210,7 @@ TEST(CommandLine, EveryWholeNumberTakesItsLimitsAndNothingBeyond) {
     const auto* number = AsNumber<int>(option);
     if (!number) continue;
     const auto is_stored = [&](std::int64_t value) {
-      Options options;
+      RenderOptions options;
       try {
         Store(option, Words{std::to_string(value)}, options);
       } catch (const UsageError&) {
@@ -289,7 +293,7 @@ TEST(CommandLine, ARepeatedOptionTakesItsLastValue) {
   EXPECT_EQ(Parsed({"a", "b.ppm", "-max_depth", "4", "-maxreflections", "5"}).render.trace.max_depth, 5);
   EXPECT_EQ(ErrorBeside({"-srgb", "-srgb"}), "");
   EXPECT_EQ(Parsed({"a", "-debugpixel", "1", "2", "-debugpixel", "3", "4"}).pixel->x, 3);
-  EXPECT_EQ(Parsed({"a", "-check", "-check"}).task, Task::check);
+  EXPECT_TRUE(Parsed({"a", "-check", "-check"}).Asks("check"));
 }
 
 // What another renderer calls it is what most users type first.
@@ -314,7 +318,7 @@ TEST(CommandLine, WordsOfOtherProgramsAreAnsweredWithOurs) {
 }
 
 TEST(CommandLine, AnotherProgramsWordIsNoOptionAndMeansOneOnly) {
-  for (const Program program : {Program::raypro, Program::rayview}) {
+  for (const Program& program : scene_programs) {
     std::set<std::string> words;
     for (const OptionKind& option : OptionTable(program))
       for (const std::string word : option.facts.elsewhere) {
@@ -325,13 +329,13 @@ TEST(CommandLine, AnotherProgramsWordIsNoOptionAndMeansOneOnly) {
 }
 
 TEST(CommandLine, OptionsExcludeOptionsThatExist) {
-  for (const Program program : programs)
+  for (const Program& program : programs)
     for (const OptionKind& option : OptionTable(program))
       for (const char* other : option.facts.excludes) EXPECT_TRUE(FindOption(program, other)) << other;
 }
 
 TEST(CommandLine, EverySettingOfARenderSaysWhatItChanges) {
-  for (const Program program : {Program::raypro, Program::rayview})
+  for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(program)) {
       const bool says = option.facts.HasAny({Fact::image, Fact::samples, Fact::budget, Fact::speed, Fact::run,
                                              Fact::reading, Fact::messages, Fact::window});
@@ -342,7 +346,7 @@ TEST(CommandLine, EverySettingOfARenderSaysWhatItChanges) {
 TEST(CommandLine, HWithANumberWasToBeAHeight) {
   EXPECT_EQ(ErrorBeside({"-h", "512"}), "'-h 512': -h is -help; did you mean '-height 512'?");
   EXPECT_EQ(ErrorBeside({"-h=512"}), "'-h 512': -h is -help; did you mean '-height 512'?");
-  EXPECT_EQ(Parsed({"in.scn", "out.png", "-h"}).task, Task::help);
+  EXPECT_TRUE(Parsed({"in.scn", "out.png", "-h"}).Asks("help"));
 }
 
 // "./+name" is a file.
@@ -409,7 +413,7 @@ TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {
                              {"-nonsense", "-help"},
                              {"-width", "abc", "-help"},
                              {"-help", "in.scn", "out.jpg"}})
-    EXPECT_EQ(Parsed(words).task, Task::help) << words[0];
+    EXPECT_TRUE(Parsed(words).Asks("help")) << words[0];
   EXPECT_EQ(Parsed({"-help", "light"}).subject, "light");
   EXPECT_EQ(Parsed({"-help=light"}).subject, "light");
   EXPECT_EQ(Parsed({"-help", "max_depth"}).subject, "max_depth");
@@ -425,7 +429,7 @@ TEST(CommandLine, TopicsMadeOfDashesOrNothingAreUnknown) {
 // Anything else thrown would end the program as if it had failed while rendering.
 TEST(CommandLine, AnyWordsParseOrGiveAUsageError) {
   Words vocabulary{"", "-", "--", "---", "=", "-=", "--=x", "a", "1", "-1", "1e9", "on", "\xff\xfe", "-\n", "graph"};
-  for (const Program program : programs)
+  for (const Program& program : programs)
     for (const OptionKind& option : OptionTable(program))
       for (const char* end : {"", "=", "=1", "=on"}) vocabulary.push_back("-" + std::string(option.name) + end);
   std::mt19937 random(3);
@@ -433,7 +437,7 @@ TEST(CommandLine, AnyWordsParseOrGiveAUsageError) {
     Words words(random() % 7);
     for (std::string& word : words) word = vocabulary[random() % vocabulary.size()];
     try {
-      ReadCommandLine(programs[random() % programs.size()], words);
+      ReadWords(programs[random() % programs.size()], words);
     } catch (const UsageError& error) {
       EXPECT_STRNE(error.what(), "");
     }
@@ -451,7 +455,7 @@ TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
             "unknown option '-crop'; -crop is an option of raypro (rayview -help lists them all)");
   EXPECT_EQ(ErrorBeside({"--headless"}),
             "unknown option '--headless'; -headless is an option of rayview (raypro -help lists them all)");
-  for (const Program program : scene_programs)
+  for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(TheOther(program))) {
       const std::string name = option.name;
       if (FindOption(program, name)) continue;
@@ -464,18 +468,18 @@ TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
 TEST(CommandLine, SharedOptionsHaveOneDefaultButForTheSize) {
   for (const OptionKind& option : OptionTable(Program::rayview))
     EXPECT_TRUE(option.known_to == KnownTo::rayview ||
-                Defaults(Program::rayview).Show(option) == Defaults(Program::raypro).Show(option))
+                Program::rayview.defaults()->Show(option) == Program::raypro.defaults()->Show(option))
         << option.name;
-  EXPECT_EQ(Defaults(Program::rayview).render.width, 512);
-  EXPECT_EQ(Defaults(Program::rayview).render.height, 512);
+  EXPECT_EQ(ViewerOptions().render.width, 512);
+  EXPECT_EQ(ViewerOptions().render.height, 512);
 }
 
 TEST(CommandLine, RayviewTakesOneNameAndItsOwnOptions) {
-  const Options o = ViewParsed({"-image", "s.png", "-output_image=w.png", "-headless", "-context", "egl", "-events",
-                                "-", "-screenshot", "e.png", "-record", "r.txt", "-reference", "a.pfm", "-samples", "4",
-                                "-width", "640", "-v"});
-  EXPECT_EQ(o.program, Program::rayview);
-  EXPECT_EQ(o.task, Task::view);
+  const ViewerOptions o = ViewParsed({"-image", "s.png", "-output_image=w.png", "-headless", "-context", "egl",
+                                      "-events", "-", "-screenshot", "e.png", "-record", "r.txt", "-reference", "a.pfm",
+                                      "-samples", "4", "-width", "640", "-v"});
+  EXPECT_EQ(o.program, &Program::rayview);
+  EXPECT_FALSE(o.request);
   EXPECT_EQ(o.files.scene, "in.scn");
   EXPECT_EQ(o.files.picture, "s.png");
   EXPECT_EQ(o.view.output_image, "w.png");
@@ -495,7 +499,7 @@ TEST(CommandLine, RayviewTakesOneNameAndItsOwnOptions) {
 }
 
 TEST(CommandLine, RayviewRefusesWhatCannotBeMeant) {
-  const Program rayview = Program::rayview;
+  const Program& rayview = Program::rayview;
   EXPECT_EQ(ErrorOf({}, rayview), "no scene is named (usage: rayview scene [options])");
   EXPECT_EQ(ErrorOf({"a", "b"}, rayview), "unexpected extra argument 'b' (usage: rayview scene [options])");
   EXPECT_EQ(ErrorOf({"a", "-version"}, rayview), "unexpected extra argument 'a'");
@@ -506,12 +510,12 @@ TEST(CommandLine, RayviewRefusesWhatCannotBeMeant) {
   EXPECT_NE(ErrorBeside({"-image", ""}, rayview), "");
   EXPECT_TRUE(Has(ErrorOf({"-help", "commands"}, rayview), "-help must be"));
   EXPECT_TRUE(Has(ErrorOf({"-list", "presets"}, rayview), "-list must be"));
-  EXPECT_EQ(ReadCommandLine(rayview, Words{"-help", "viewer"}).subject, "viewer");
+  EXPECT_EQ(ReadCommandLine<ViewerOptions>(rayview, Words{"-help", "viewer"}).subject, "viewer");
 }
 
 TEST(CommandLine, DebugpixelNamesAPixelAndNeedsNoPicture) {
-  const Options o = Parsed({"in.scn", "-debugpixel", "255", "0", "-samples", "4"});
-  EXPECT_EQ(o.task, Task::debug_pixel);
+  const RenderOptions o = Parsed({"in.scn", "-debugpixel", "255", "0", "-samples", "4"});
+  EXPECT_TRUE(o.Asks("debugpixel"));
   EXPECT_EQ(o.pixel->x, 255);
   EXPECT_EQ(o.pixel->y, 0);
   EXPECT_EQ(o.render.samples, 4);
@@ -566,21 +570,19 @@ Words SomeValue(const OptionKind& option, const Options& defaults) {
 }
 
 TEST(CommandLine, WordsTypedForAValueLeadToIt) {
-  for (const Program program : scene_programs)
+  for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(program)) {
       if (!IsSetting(option)) continue;
-      const Options defaults = Defaults(program);
-      EXPECT_EQ(defaults.TypedFor(program, option), Words{}) << option.name;
-      Options given = defaults;
-      Store(option, std::string(option.name) == "confidence" ? Words{"0.5"} : SomeValue(option, defaults), given);
-      const Words words = given.TypedFor(program, option);
+      const auto given = program.defaults(), read = program.defaults();
+      EXPECT_EQ(given->TypedFor(program, option), Words{}) << option.name;
+      Store(option, std::string(option.name) == "confidence" ? Words{"0.5"} : SomeValue(option, *given), *given);
+      const Words words = given->TypedFor(program, option);
       ASSERT_FALSE(words.empty()) << option.name;
-      Options read = defaults;
       const auto equals = words[0].find('=');
       Store(option,
             equals == std::string::npos ? Words(words.begin() + 1, words.end()) : Words{words[0].substr(equals + 1)},
-            read);
-      EXPECT_EQ(read.Show(option), given.Show(option)) << option.name;
+            *read);
+      EXPECT_EQ(read->Show(option), given->Show(option)) << option.name;
     }
 }
 

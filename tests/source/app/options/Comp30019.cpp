@@ -11,7 +11,7 @@ namespace {
 using CourseWords = std::vector<std::string>;
 
 /// With the two options that must be there.
-Options AskedOfCourse(CourseWords words) {
+RenderOptions AskedOfCourse(CourseWords words) {
   words.insert(words.end(), {"-f", "in.txt", "-o", "out.png"});
   return comp30019::ReadCommandLine(words);
 }
@@ -27,7 +27,7 @@ std::string CourseErrorOf(CourseWords words) {
 }
 
 TEST(Comp30019CommandLine, EveryOptionHasItsDefault) {
-  const Options options = AskedOfCourse({});
+  const RenderOptions options = AskedOfCourse({});
   EXPECT_EQ(options.files.scene, "in.txt");
   EXPECT_EQ(options.files.picture, "out.png");
   EXPECT_EQ(options.render.width, 400);
@@ -36,7 +36,7 @@ TEST(Comp30019CommandLine, EveryOptionHasItsDefault) {
   EXPECT_EQ(options.render.mode, RenderMode::whitted);
   EXPECT_FALSE(options.render.camera.HasLens());
   EXPECT_FALSE(options.render.view);
-  EXPECT_EQ(options.task, Task::render);
+  EXPECT_FALSE(options.request);
 }
 
 TEST(Comp30019CommandLine, EveryOptionHasALongAndAShortName) {
@@ -46,7 +46,7 @@ TEST(Comp30019CommandLine, EveryOptionHasALongAndAShortName) {
   const CourseWords short_words{"-w",    "300", "-h", "200", "-x",   "3",  "-l",  "-p", "1,2,3", "-a",
                                 "0,1,0", "-n",  "30", "-r",  "0.06", "-t", "1.5", "-q", "1"};
   for (const CourseWords& words : {long_words, short_words}) {
-    const Options options = AskedOfCourse(words);
+    const RenderOptions options = AskedOfCourse(words);
     EXPECT_EQ(options.render.width, 300);
     EXPECT_EQ(options.render.height, 200);
     EXPECT_EQ(options.render.samples, 24 * 24);
@@ -70,8 +70,8 @@ TEST(Comp30019CommandLine, HIsTheHeightAndNotHelp) { EXPECT_EQ(AskedOfCourse({"-
 
 TEST(Comp30019CommandLine, HelpIsAnsweredWhateverElseIsThere) {
   for (const CourseWords& words : {CourseWords{"--help"}, CourseWords{"-x", "nonsense", "--help"}}) {
-    const Options options = comp30019::ReadCommandLine(words);
-    EXPECT_EQ(options.task, Task::help);
+    const RenderOptions options = comp30019::ReadCommandLine(words);
+    EXPECT_TRUE(options.Asks("help"));
     EXPECT_EQ(options.subject, "comp30019");
   }
   const std::string help = comp30019::Help();
@@ -84,7 +84,7 @@ TEST(Comp30019CommandLine, HelpIsAnsweredWhateverElseIsThere) {
 TEST(Comp30019CommandLine, ValuesMayBeNegative) {
   for (const CourseWords& words :
        {CourseWords{"-p", "-1,2,-.5"}, CourseWords{"--cam-pos", "-1,2,-0.5"}, CourseWords{"--cam-pos=-1,2,-.5"}}) {
-    const Options options = AskedOfCourse(words);
+    const RenderOptions options = AskedOfCourse(words);
     ASSERT_TRUE(options.render.view);
     EXPECT_EQ(options.render.view->eye, (R3::Point{-1, 2, 0.5}));
   }

@@ -15,7 +15,7 @@ Scene With(std::vector<SceneSetting> settings) {
   return scene;
 }
 
-Options Typed(std::vector<std::string> words) {
+RenderOptions Typed(std::vector<std::string> words) {
   words.insert(words.begin(), {"in.scn", "out.png"});
   return ReadCommandLine(Program::raypro, words);
 }
@@ -31,11 +31,11 @@ std::string RefusalOf(const SceneSetting& setting) {
 
 TEST(SceneSettings, AreInForceWhereTheCommandLineIsSilent) {
   const Scene scene = With({{"max_depth", "7", "a.scn:1:5"}, {"width", "40", "a.scn:2:5"}, {"motion", "0 1 2", "x"}});
-  const Options silent = WithSettingsOf(scene, Typed({}));
+  const RenderOptions silent = WithSettingsOf(scene, Typed({}));
   EXPECT_EQ(silent.render.trace.max_depth, 7);
   EXPECT_EQ(silent.render.width, 40);
   EXPECT_EQ(silent.render.camera.motion, (R3::Vector{0, 1, 2}));
-  const Options typed = WithSettingsOf(scene, Typed({"-maxreflections", "3", "-width", "256"}));
+  const RenderOptions typed = WithSettingsOf(scene, Typed({"-maxreflections", "3", "-width", "256"}));
   EXPECT_EQ(typed.render.trace.max_depth, 3);
   EXPECT_EQ(typed.render.width, 256);  // though it is the default
 }

@@ -22,7 +22,7 @@ using Words = std::vector<std::string>;
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
-inline constexpr Program program = Program::rayimg;
+inline const Program& program = Program::rayimg;
 
 inline Finished Rayimg(const Words& words) { return testing::RunProgram(words, {.program = "RAYIMG"}); }
 

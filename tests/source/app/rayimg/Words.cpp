@@ -9,7 +9,7 @@
 #include "source/app/manual/Completion.h"
 #include "source/app/manual/Help.h"
 #include "source/app/manual/Manual.h"
-#include "source/app/options/RayimgTable.h"
+#include "source/app/options/OptionTable.h"
 #include "tests/source/app/rayimg/Rayimg.h"
 
 namespace ray::rayimg {
@@ -149,7 +149,7 @@ TEST(Rayimg, WrongInputGivesAnErrorLineAndNoOutput) {
 
 TEST(Rayimg, HelpIsAnsweredAnywhere) {
   NEEDS_RAYIMG();
-  for (const CommandKind& command : Commands()) {
+  for (const CommandKind& command : program.commands()) {
     const Finished done = Rayimg({command.name, "no.png", "-nonsense", "-help"});
     EXPECT_EQ(done.status, 0);
     EXPECT_EQ(done.output, Help(program, command.name));
@@ -162,7 +162,7 @@ TEST(Rayimg, HelpIsAnsweredAnywhere) {
 }
 
 TEST(RayimgHelp, NamesEveryOptionWhereItBelongsAndFitsTheScreen) {
-  for (const CommandKind& command : Commands()) {
+  for (const CommandKind& command : program.commands()) {
     EXPECT_TRUE(Has(Help(program, ""), "\n  " + std::string(command.name) + " ")) << command.name;
     const std::string help = Help(program, command.name);
     for (const OptionKind& option : OptionTable(program))

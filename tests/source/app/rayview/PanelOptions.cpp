@@ -9,16 +9,18 @@
 namespace ray {
 namespace {
 
-Options Typed(const std::vector<std::string>& words) { return ReadCommandLine(Program::rayview, words); }
+ViewerOptions Typed(const std::vector<std::string>& words) {
+  return ReadCommandLine<ViewerOptions>(Program::rayview, words);
+}
 
-std::string ValueOf(const Options& options, const std::string& name) {
+std::string ValueOf(const ViewerOptions& options, const std::string& name) {
   for (const ShownOption& shown : OptionsOfPanels(options))
     if (shown.name == name) return shown.value;
   return "not there";
 }
 
 TEST(PanelOptions, AreThoseOfPicturesWithTheirValues) {
-  const Options options = Typed({"a.scn", "-samples", "4", "-glossy", "-quiet", "-headless"});
+  const ViewerOptions options = Typed({"a.scn", "-samples", "4", "-glossy", "-quiet", "-headless"});
   EXPECT_EQ(ValueOf(options, "samples"), "4");
   EXPECT_EQ(ValueOf(options, "glossy"), "on");
   EXPECT_EQ(ValueOf(options, "srgb"), "");
@@ -27,9 +29,9 @@ TEST(PanelOptions, AreThoseOfPicturesWithTheirValues) {
 }
 
 TEST(PanelOptions, OneChangeLeavesTheOthersAsTheyAre) {
-  const Options options =
+  const ViewerOptions options =
       Typed({"a b.scn", "-samples", "4", "-glossy", "-error", "2", "-image", "x y.png", "-accel", "bvh"});
-  Options changed = WithOption(options, "mode", "path");
+  ViewerOptions changed = WithOption(options, "mode", "path");
   EXPECT_EQ(changed.render.mode, RenderMode::path);
   for (const ShownOption& shown : OptionsOfPanels(options))
     if (shown.name != "mode") {
@@ -40,7 +42,7 @@ TEST(PanelOptions, OneChangeLeavesTheOthersAsTheyAre) {
 }
 
 TEST(PanelOptions, AcceptTheirOwnValueAndDefault) {
-  const Options options = Typed({"a.scn"});
+  const ViewerOptions options = Typed({"a.scn"});
   for (const ShownOption& shown : OptionsOfPanels(options)) {
     EXPECT_EQ(ValueOf(WithOption(options, shown.name, shown.value), shown.name), shown.value) << shown.name;
     EXPECT_EQ(ValueOf(WithOption(options, shown.name, ""), shown.name), shown.value) << shown.name;
@@ -57,7 +59,7 @@ TEST(PanelOptions, AFlagIsTakenBack) {
 }
 
 TEST(PanelOptions, WhatCannotBeIsRefused) {
-  const Options options = Typed({"a.scn"});
+  const ViewerOptions options = Typed({"a.scn"});
   EXPECT_THROW(WithOption(options, "samples", "none"), UsageError);
   EXPECT_THROW(WithOption(options, "aperture", "0.1"), UsageError) << "without -focus";
   EXPECT_THROW(WithOption(options, "motion", "1 2"), UsageError);

@@ -39,14 +39,14 @@ class Inside {
   std::filesystem::path before_ = std::filesystem::current_path();
 };
 
-Options ViewOf(const std::string& scene, const Words& more) {
+ViewerOptions ViewOf(const std::string& scene, const Words& more) {
   Words words{scene, "-width", "24", "-height", "16"};
   words.insert(words.end(), more.begin(), more.end());
-  return ReadCommandLine(Program::rayview, words);
+  return ReadCommandLine<ViewerOptions>(Program::rayview, words);
 }
 
 /// Traces and saves as rayview does at S; returns the settings that the picture holds.
-R2::ImageSettings TraceAndSave(const Options& options, const std::string& name) {
+R2::ImageSettings TraceAndSave(const ViewerOptions& options, const std::string& name) {
   const LoadedScene scene(options.files.scene, options.parse, options.accelerator);
   const PictureOutput output = CheckPictureOutput(name, {});
   SaveTraced(&output, options, scene, Render(scene.world, *scene.accelerator, options.render), 1.5);
@@ -60,9 +60,9 @@ Words Split(const std::string& line) {
 }
 
 TEST(RayproCommand, IsOneThatMakesTheSamePicture) {
-  Options options = ReadCommandLine(Program::rayview, Words{"room.scn", "-image", "a.png"});
+  ViewerOptions options = ReadCommandLine<ViewerOptions>(Program::rayview, Words{"room.scn", "-image", "a.png"});
   EXPECT_EQ(RayproCommand(options), "raypro room.scn a.png -width 512 -height 512");
-  options = ReadCommandLine(
+  options = ReadCommandLine<ViewerOptions>(
       Program::rayview,
       Words{"my room.scn", "-image",   "a.png",       "-width", "256",         "-height", "300",
             "-samples",    "16",       "-motion",     "0",      "-1",          ".5",      "-srgb",
@@ -72,13 +72,13 @@ TEST(RayproCommand, IsOneThatMakesTheSamePicture) {
       RayproCommand(options),
       "raypro 'my room.scn' a.png -width 256 -height 300 -samples 16 -motion 0 -1 0.5 -srgb -env=-sky.hdr -shadows off "
       "-allow_path=x -allow_path=y");
-  options = ReadCommandLine(Program::rayview, Words{"-image=-a.png", "--", "-room.scn"});
+  options = ReadCommandLine<ViewerOptions>(Program::rayview, Words{"-image=-a.png", "--", "-room.scn"});
   EXPECT_EQ(RayproCommand(options), "raypro ./-room.scn ./-a.png -width 512 -height 512");
 }
 
 // The scene may state another value than the default that was typed.
 TEST(RayproCommand, KeepsOnlyTypedOptionsThatAffectTheImage) {
-  Options options =
+  const auto options =
       ReadCommandLine(Program::raypro, Words{"--samples=1", "in.scn", "-threads", "2", "out.png", "-verbose", "-resume",
                                              "-checkpoint", "1m", "-report", "r.json", "-seed", "3", "-srgb"});
   EXPECT_EQ(RayproCommand(options), "raypro in.scn out.png -samples 1 -seed 3 -srgb");
@@ -93,7 +93,7 @@ TEST(SavePicture, EveryFormatIsRayprosFileByteForByte) {
   for (const Words& more : {Words{}, {"-samples", "4", "-filter", "mitchell"}, {"-mode", "path", "-srgb"}})
     for (const R2::ImageFormat& format : R2::ImageFormats()) {
       const std::string name = "out." + std::string(format.extensions[0]);
-      Options options = ViewOf("in.scn", more);
+      ViewerOptions options = ViewOf("in.scn", more);
       TraceAndSave(options, name);
       const std::string viewed = ReadFile(name);
       options.files.picture = name;
@@ -132,7 +132,7 @@ TEST(SavePicture, TellsTheCameraWhenItIsNotTheScenes) {
   const TemporaryFolder folder;
   const Inside inside(folder.Path());
   WriteFile("in.scn", small_scene);
-  Options options = ViewOf("in.scn", {});
+  ViewerOptions options = ViewOf("in.scn", {});
   options.render.view = LoadedScene("in.scn", {}, {}).parsed.scene.camera;
   EXPECT_FALSE(TraceAndSave(options, "out.png").contains("camera"));
   options.render.view->eye.x = 0.1;
@@ -157,7 +157,7 @@ TEST(SavePicture, WithoutANameItTakesTheFirstThatIsFree) {
   WriteFile("in.scn", small_scene);
   WriteFile("image1.jpg", "mine");
   std::filesystem::create_symlink("nowhere", "image3.jpg");
-  const Options options = ViewOf("in.scn", {});
+  const ViewerOptions options = ViewOf("in.scn", {});
   const LoadedScene scene(options.files.scene, options.parse, options.accelerator);
   const RenderResult result = Render(scene.world, *scene.accelerator, options.render);
   EXPECT_TRUE(SaveTraced(nullptr, options, scene, result, 1).starts_with("image2.jpg 24x16 1 spp 1.00 s "));
@@ -171,7 +171,7 @@ TEST(SavePicture, ANameThatWasClaimedInVainIsFreeAgain) {
   const TemporaryFolder folder;
   const Inside inside(folder.Path());
   WriteFile("in.scn", "");
-  const Options options = ViewOf("in.scn", {});
+  const ViewerOptions options = ViewOf("in.scn", {});
   const LoadedScene scene(options.files.scene, options.parse, options.accelerator);
   RenderResult result;
   result.image = R2::Image(70'000, 1);  // more than a JPEG holds
@@ -197,7 +197,7 @@ TEST(ViewOutputs, AreCheckedBeforeAnythingIsDone) {
   const TemporaryFolder folder;
   const std::string scene = WriteFile(folder / "in.scn", "");
   const auto check = [&](const Words& more) {
-    const Options options = ViewOf(scene, more);
+    const ViewerOptions options = ViewOf(scene, more);
     return CheckViewOutputs(options.files, options.view, options.render.width, options.render.height);
   };
   const ViewOutputs none = check({});

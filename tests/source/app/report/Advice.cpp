@@ -25,7 +25,7 @@ std::string AdviceOn(const std::string& scene, const std::vector<std::string>& w
                      double seconds_to_start = 0.25) {
   const testing::TemporaryFolder folder;
   const ParsedScene parsed = Parse(testing::WriteFile(folder / "example.scn", camera_above + scene), {});
-  Options options = Defaults(Program::raypro);
+  RenderOptions options = RenderOptions();
   options.render.width = options.render.height = 24;
   for (std::size_t i = 0; i + 1 < words.size(); i += 2)
     Store(*FindOption(Program::raypro, words[i]), std::vector{words[i + 1]}, options);

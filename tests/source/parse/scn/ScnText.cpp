@@ -31,7 +31,7 @@ std::string WrittenTo(const Folder& folder, const std::string& name, const Scene
 
 /// The image that raypro would render, with what the scene sets, but small.
 R2::Image PictureOf(Scene scene) {
-  Options options =
+  RenderOptions options =
       ReadCommandLine(Program::raypro, std::vector<std::string>{"in.scn", "out.pfm", "-width", "24", "-height", "18"});
   options = WithSettingsOf(scene, options);
   return project::Render(project::Stage(std::move(scene)), options.render).image;

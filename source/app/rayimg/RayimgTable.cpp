@@ -1,5 +1,3 @@
-#include "source/app/options/RayimgTable.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +5,9 @@
 
 #include "R2/ToneCurve.h"
 #include "source/app/Status.h"
+#include "source/app/options/AboutOptions.h"
 #include "source/app/options/OptionEntry.h"
+#include "source/app/rayimg/Options.h"
 #include "source/text/Number.h"
 #include "source/text/Words.h"
 
@@ -78,6 +78,8 @@ template <int most, class Lambda>
 Word Threshold(Lambda member, const char* range) {
   return WordOf<ReadThreshold<most>, ShowNothing<std::optional<double>>>(member, range);
 }
+
+#define AT(member) AT_OF(ImageOptions, member)
 
 // One entry stays one thought.
 // clang-format off
@@ -150,94 +152,93 @@ more than once.
 
 // clang-format on
 
-}  // namespace
-
-std::span<const CommandKind> Commands() { return commands; }
-
 // clang-format off
 std::vector<OptionKind> OptionsOfCommands() {
   constexpr double most_stops = 64;
   constexpr int most_side = 1'000'000, most_columns = 10'000, most_gap = 1000;
   constexpr double slowest_movie = 0.1, fastest_movie = 1000;
-  using enum KnownTo;
+  constexpr KnownTo rayimg = KnownTo::one;
   return {
-      {"srgb", rayimg, {}, {}, {}, Flag{AT(image.srgb)}, "", "",
+      {"srgb", rayimg, {}, {}, {}, Flag{AT(srgb)}, "", "",
        "linear workflow: decode 8 and 16 bit images from sRGB, encode what is shown or written",
        {"diff", "convert", "resize", "side-by-side", "contact-sheet"}},
-      {"reference2", rayimg, {}, {}, {"image"}, FileName{AT(image.reference2), FileKind::image}, "", "",
+      {"reference2", rayimg, {}, {}, {"image"}, FileName{AT(reference2), FileKind::image}, "", "",
        "a second reference from another random seed, for the error without their noise", {"diff"}},
-      {"map", rayimg, {}, {}, {"image"}, FileName{AT(image.map), FileKind::image}, "", "",
+      {"map", rayimg, {}, {}, {"image"}, FileName{AT(map), FileKind::image}, "", "",
        "write a heat map of the difference, black 0 to white 1", {"diff"}},
-      {"map_of", rayimg, {}, {}, {"name"}, OneOfEnum<MapOf>(AT(image.map_of)), "", "",
+      {"map_of", rayimg, {}, {}, {"name"}, OneOfEnum<MapOf>(AT(map_of)), "", "",
        "what the map shows: FLIP, or the largest difference of a displayed channel", {"diff"}},
-      {"pixels_per_degree", rayimg, {}, {}, {"x"}, Number<double>{AT(image.pixels_per_degree), 1, 1000}, "", "",
+      {"pixels_per_degree", rayimg, {}, {}, {"x"}, Number<double>{AT(pixels_per_degree), 1, 1000}, "", "",
        "FLIP: pixels per degree of view; by default those of 3840 pixels seen from their own width",
        {"diff"}},
-      {"fail", rayimg, {}, {}, {"x"}, Threshold<0>(AT(image.fail), "a number, at least 0"), "", "",
+      {"fail", rayimg, {}, {}, {"x"}, Threshold<0>(AT(fail), "a number, at least 0"), "", "",
        "a pixel fails when a channel differs by more than this", {"diff"}},
-      {"fail_percent", rayimg, {}, {}, {"p"}, Threshold<100>(AT(image.fail_percent), "a number, 0 to 100"), "", "",
+      {"fail_percent", rayimg, {}, {}, {"p"}, Threshold<100>(AT(fail_percent), "a number, 0 to 100"), "", "",
        "percentage of the pixels that may fail; 0 by default", {"diff"}},
-      {"fail_rmse", rayimg, {}, {}, {"x"}, Threshold<0>(AT(image.fail_rmse), "a number, at least 0"), "", "",
+      {"fail_rmse", rayimg, {}, {}, {"x"}, Threshold<0>(AT(fail_rmse), "a number, at least 0"), "", "",
        "the largest linear RMSE allowed", {"diff"}},
-      {"fail_flip", rayimg, {}, {}, {"x"}, Threshold<1>(AT(image.fail_flip), "a number, 0 to 1"), "", "",
+      {"fail_flip", rayimg, {}, {}, {"x"}, Threshold<1>(AT(fail_flip), "a number, 0 to 1"), "", "",
        "the largest mean FLIP allowed", {"diff"}},
-      {"json", rayimg, {}, {}, {}, Flag{AT(image.json)}, "", "",
+      {"json", rayimg, {}, {}, {}, Flag{AT(json)}, "", "",
        "print a JSON object; what is infinite or unknown is null", {"diff"}},
 
-      {"html", rayimg, {}, {}, {"page.html"}, FileName{AT(image.html)}, "", "",
+      {"html", rayimg, {}, {}, {"page.html"}, FileName{AT(html)}, "", "",
        "write a page that shows each pair", {"diff"}},
-      {"csv", rayimg, {}, {}, {"table.csv"}, FileName{AT(image.csv)}, "", "",
+      {"csv", rayimg, {}, {}, {"table.csv"}, FileName{AT(csv)}, "", "",
        "write a table with a line for each pair", {"diff"}},
 
       {"width", rayimg, {}, {}, {"n"},
-       Whole<1, most_side>(AT(image.width), "a whole number, 1 to 1000000"), "pixels", "",
+       Whole<1, most_side>(AT(width), "a whole number, 1 to 1000000"), "pixels", "",
        "width of the new image, or of each on a sheet (160 there by default)", {"resize", "contact-sheet"}},
       {"height", rayimg, {}, {}, {"n"},
-       Whole<1, most_side>(AT(image.height), "a whole number, 1 to 1000000"), "pixels", "",
+       Whole<1, most_side>(AT(height), "a whole number, 1 to 1000000"), "pixels", "",
        "height of the new image", {"resize"}},
-      {"filter", rayimg, {}, {}, {"name"}, OneOfEnum<FilterKind>(AT(image.filter)), "", "",
+      {"filter", rayimg, {}, {}, {"name"}, OneOfEnum<FilterKind>(AT(filter)), "", "",
        "what a pixel is the mean of", {"resize"}},
-      {"crop", rayimg, {}, {}, {"x0", "y0", "x1", "y1"}, ray::Rectangle{AT(image.crop)}, "pixels", "",
+      {"crop", rayimg, {}, {}, {"x0", "y0", "x1", "y1"}, ray::Rectangle{AT(crop)}, "pixels", "",
        "only columns x0..x1-1 from the left, rows y0..y1-1 from the bottom", {"crop"}},
       {"columns", rayimg, {}, {}, {"n"},
-       Whole<1, most_columns>(AT(image.columns), "a whole number, 1 to 10000"), "", "",
+       Whole<1, most_columns>(AT(columns), "a whole number, 1 to 10000"), "", "",
        "images in a row; by default all side by side, and a sheet about as wide as high",
        {"side-by-side", "contact-sheet"}},
-      {"gap", rayimg, {}, {}, {"n"}, Whole<0, most_gap>(AT(image.gap), "a whole number, 0 to 1000"), "pixels", "",
+      {"gap", rayimg, {}, {}, {"n"}, Whole<0, most_gap>(AT(gap), "a whole number, 0 to 1000"), "pixels", "",
        "white between images; by default 0 side by side and 8 on a sheet", {"side-by-side", "contact-sheet"}},
       {"captions", rayimg, {}, {}, {"a,b,..."},
-       WordOf<ReadTexts, ShowNothing<std::vector<std::string>>>(AT(image.captions),
+       WordOf<ReadTexts, ShowNothing<std::vector<std::string>>>(AT(captions),
         "texts separated by commas"), "", "", "words below each image, one text per image", {"side-by-side"}},
       {"names", rayimg, {}, {}, {},
-       Flag{AT(image.captions_are_names)}, "", "", "write the file's name below each image",
+       Flag{AT(captions_are_names)}, "", "", "write the file's name below each image",
        {"side-by-side"}},
 
-      {"exposure", rayimg, {}, {}, {"stops"}, Number<double>{AT(image.exposure), -most_stops, most_stops}, "", "",
+      {"exposure", rayimg, {}, {}, {"stops"}, Number<double>{AT(exposure), -most_stops, most_stops}, "", "",
        "multiply by two to this power", {"convert", "contact-sheet"}},
-      {"tonemap", rayimg, {}, {}, {"name"}, OneOfNames(AT(image.tonemap), ToneCurveNames), "", "",
+      {"tonemap", rayimg, {}, {}, {"name"}, OneOfNames(AT(tonemap), ToneCurveNames), "", "",
        "reinhard: x/(1+x), Reinhard 2002; aces: Narkowicz 2015; filmic: Hable 2010", {"convert", "contact-sheet"}},
-      {"bits", rayimg, {}, {}, {"n"}, OneNumberOf{AT(image.bits), {8, 16}}, "bits per channel", "",
+      {"bits", rayimg, {}, {}, {"n"}, OneNumberOf{AT(bits), {8, 16}}, "bits per channel", "",
        "bit depth of a PNG", {"convert", "resize", "crop", "side-by-side"}},
-      {"jpeg_quality", rayimg, {}, {}, {"n"}, Number<int>{AT(image.jpeg_quality), 1, 100}, "", "", "JPEG quality",
+      {"jpeg_quality", rayimg, {}, {}, {"n"}, Number<int>{AT(jpeg_quality), 1, 100}, "", "", "JPEG quality",
        {"convert", "resize", "crop", "side-by-side", "contact-sheet"}},
 
-      {"out", rayimg, {}, {}, {"image"}, FileName{AT(image.out), FileKind::image}, "", "", "the image to write",
+      {"out", rayimg, {}, {}, {"image"}, FileName{AT(out), FileKind::image}, "", "", "the image to write",
        {"side-by-side", "contact-sheet", "merge"}},
       {"weights", rayimg, {}, {}, {"w1,w2,..."},
-       WordOf<ReadWeights, ShowNothing<std::vector<double>>>(AT(image.weights),
+       WordOf<ReadWeights, ShowNothing<std::vector<double>>>(AT(weights),
         "numbers above 0, separated by commas"), "", "",
        "one per image; by default the samples in the metadata, if all have them, else equal", {"merge"}},
-      {"force", rayimg, {}, {}, {}, Flag{AT(image.force)}, "", "",
+      {"force", rayimg, {}, {}, {}, Flag{AT(force)}, "", "",
        "merge images even if they are not independent, not alike or were interrupted", {"merge"}},
 
-      {"fps", rayimg, {}, {}, {"n"}, Number<double>{AT(image.fps), slowest_movie, fastest_movie}, "", "",
+      {"fps", rayimg, {}, {}, {"n"}, Number<double>{AT(fps), slowest_movie, fastest_movie}, "", "",
        "frames per second", {"movie"}},
   };
 }
 // clang-format on
 
-void CheckTogether(const CommandKind& command, const ImageOptions& options) {
-  const std::string name = command.name;
+#undef AT
+
+/// Throws UsageError where options of the command contradict each other, or one is missing.
+void CheckTogether(const ImageOptions& options) {
+  const std::string name = options.command->name;
   const auto count = [&](std::size_t given, const std::string& option, const std::string& noun) {
     if (given > 0 && given != options.names.size())
       throw UsageError(option + " has " + Counted(given, noun) + " for " + Counted(options.names.size(), "image"));
@@ -256,4 +257,45 @@ void CheckTogether(const CommandKind& command, const ImageOptions& options) {
   count(options.weights.size(), "-weights", "number");
 }
 
+const std::vector<OptionKind>& Table() {
+  static const std::vector<OptionKind> table = [] {
+    std::vector<OptionKind> rows = OptionsOfCommands();
+    for (OptionKind& option : KnownOptions(AboutOptions<Program::rayimg>(), Program::rayimg))
+      rows.push_back(std::move(option));
+    return rows;
+  }();
+  return table;
+}
+
+}  // namespace
 }  // namespace ray::rayimg
+
+namespace ray {
+
+const Program Program::rayimg{
+    .name = "rayimg",
+    .file_names = "command images",
+    .summary = "compare, describe, convert and merge images, and make movies of them",
+    .description =
+        "Compares, describes, converts and merges images, and makes movies of them. Extensions choose the formats\n"
+        "of those written, contents tell those of those read. rayimg -help command lists the options of a command.\n",
+    .examples =
+        "  rayimg diff noisy.exr clean.exr -map where.png -fail_flip 0.05\n"
+        "  rayimg convert out.exr out.jpg -exposure 1 -tonemap filmic -srgb\n"
+        "  rayimg merge seed1.exr seed2.exr seed3.exr -out mean.exr\n"
+        "  rayimg movie turn.avi -fps 25 turn01.jpg turn02.jpg turn03.jpg\n",
+    .statuses = {{"0", "Success."},
+                 {"1", "diff: beyond a threshold."},
+                 {"2", "Wrong arguments."},
+                 {"3", "An image is missing, damaged or too large."},
+                 {"4", "A file cannot be written."}},
+    .failed = status::bad_scene,  // 1 says that images differ, and nothing else: scripts rely on it
+    .options = rayimg::Table,
+    .commands = [] { return std::span<const CommandKind>(rayimg::commands); },
+    .defaults = []() -> std::unique_ptr<Options> { return std::make_unique<rayimg::ImageOptions>(); },
+    .complete =
+        [](Options& options, std::span<const std::string>) {
+          if (!options.request) rayimg::CheckTogether(As<rayimg::ImageOptions>(options));
+        }};
+
+}  // namespace ray

@@ -1,0 +1,100 @@
+#include "source/app/Answers.h"
+
+#include "source/app/PreparedScene.h"
+#include "source/app/files/ConvertScene.h"
+#include "source/app/files/OutputFile.h"
+#include "source/app/files/Outputs.h"
+#include "source/app/manual/Completion.h"
+#include "source/app/manual/Help.h"
+#include "source/app/manual/Listing.h"
+#include "source/app/manual/Manual.h"
+#include "source/app/options/OptionTable.h"
+#include "source/app/options/SceneSettings.h"
+#include "source/app/report/Advice.h"
+#include "source/app/report/Check.h"
+#include "source/app/report/Info.h"
+#include "source/app/report/Messages.h"
+#include "source/app/report/Resources.h"
+#include "source/render/PixelTrace.h"
+#include "source/text/Words.h"
+
+namespace ray {
+namespace {
+
+/// What `tell` says of a scene that is ready to be traced.
+template <typename Tell>
+std::string OfBuiltScene(const Options& all, const Tell& tell) {
+  const ReadScene read(As<RenderOptions>(all));
+  TellAll(read.parsed.warnings);
+  const PreparedScene scene(read);
+  TellAll(scene.world.Warnings());
+  return tell(scene.world, *scene.accelerator, read.options);
+}
+
+}  // namespace
+
+namespace answer {
+
+/// Everything that rendering would do short of the first ray, and a look for likely mistakes.
+std::string Check(const Options& all) {
+  const auto& asked = As<RenderOptions>(all);
+  if (!asked.files.picture.empty()) CheckOutputs(asked.files, RegionOf(asked.render));
+  const ReadScene read(asked);
+  const auto& [parsed, options] = read;
+  const World world(parsed.scene);
+  std::vector<std::string> warnings = parsed.warnings;
+  for (const std::string& warning : world.Warnings()) warnings.push_back(warning);
+  for (const std::string& mistake : LikelyMistakes(world, options.render)) warnings.push_back(mistake);
+  TellAll(warnings);
+  if (options.quiet) return {};
+  std::string settings;
+  for (const std::string& setting : SettingsInForce(parsed.scene, asked)) settings += "  " + setting + "\n";
+  if (!settings.empty()) settings = "settings of the scene\n" + settings;
+  return SceneSummary(world, options.render) + settings +
+         (warnings.empty() ? "no warnings" : Counted(warnings.size(), "warning")) + "\n";
+}
+
+std::string Files(const Options& all) {
+  const auto& options = As<RenderOptions>(all);
+  const ParsedScene parsed = Parse(options.files.scene, options.parse);
+  TellAll(parsed.warnings);
+  std::string lines;
+  for (const std::string& file : parsed.scene.files) lines += file + "\n";  // as it is: for programs
+  return lines;
+}
+
+std::string Convert(const Options& all) {
+  const auto& options = As<RenderOptions>(all);
+  const OutputFile scn = CheckScnOutput(options.subject, options.files.scene);
+  const ParsedScene parsed = Parse(options.files.scene, options.parse);
+  RefuseInputs(scn, parsed.scene.files);
+  WithSettingsOf(parsed.scene, options);  // a setting that is wrong is the original's mistake
+  TellAll(parsed.warnings);
+  return WriteSceneAsScn(parsed.scene, scn, options.quiet);
+}
+
+std::string Advise(const Options& all) {
+  return OfBuiltScene(all, [](const World& world, const Accelerator& accelerator, const RenderOptions& options) {
+    return Advice(world, accelerator, options, CpuSeconds());
+  });
+}
+
+std::string RaysOfPixel(const Options& all) {
+  return OfBuiltScene(all, [](const World& world, const Accelerator& accelerator, const RenderOptions& options) {
+    return DebugPixel(world, accelerator, options.render, options.pixel->x, options.pixel->y,
+                      options.verbose ? Digits::all : Digits::five);
+  });
+}
+
+std::string Info(const Options& options) { return PictureInfo(options.subject); }
+std::string Help(const Options& options) { return ray::Help(*options.program, options.subject); }
+std::string Version(const Options& options) { return ray::Version(*options.program); }
+std::string List(const Options& options) { return Listing(*options.program, options.subject, options.keys); }
+std::string Complete(const Options& options) { return CompletionScript(*options.program, options.subject); }
+std::string Manual(const Options& options) { return ManualPage(options.subject, *options.program); }
+
+}  // namespace answer
+
+void AnswerRequest(const Options& options) { WriteStandardOutput(AnswerTo(*options.request)(options)); }
+
+}  // namespace ray
