@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/Options.h"
+#include "grader/raygrade/Options.h"
 
 namespace ray::raygrade {
 

@@ -7,7 +7,7 @@
 #include "source/app/options/AboutOptions.h"
 #include "source/app/options/FileNames.h"
 #include "source/app/options/OptionEntry.h"
-#include "grader/Options.h"
+#include "grader/raygrade/Options.h"
 
 #include "R2/ImageFile.h"
 
