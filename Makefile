@@ -85,17 +85,17 @@ FUZZ_SOURCES := $(wildcard fuzz/*.cpp)
 FUZZ_CXX ?= clang++
 # What this machine lacks leaves these out.
 ABSENT := $(if $(filter yes,$(HAS_EXR)),,R2/image_files/exr.cpp) \
-          $(patsubst %,source/view/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)) \
-          $(if $(CONTEXTS),,source/view/gl/% source/view/contexts/% source/view/panels/% source/view/Viewer% source/view/KeyBindings.cpp \
+          $(patsubst %,source/draw/contexts/%.cpp,$(filter-out $(CONTEXTS),glfw egl osmesa)) \
+          $(if $(CONTEXTS),,source/draw/gl/% source/draw/contexts/% source/view/panels/% source/view/Viewer% source/view/KeyBindings.cpp \
                             source/app/rayview/ViewSession.cpp source/app/rayview/PanelOptions.cpp \
-                            source/app/rayview/LoadingWindow.cpp tests/source/app/rayview/% tests/source/view/% \
+                            source/app/rayview/LoadingWindow.cpp tests/source/app/rayview/% tests/source/draw/% tests/source/view/% \
                             bench/view.cpp)
 # The .cpp files of a folder are compiled as one, since most of what compiling takes is their headers. These are not:
 # files that use the same local names in the same folder, since they are variations of one thing, and files that
 # Highway includes once for each instruction set. JUMBO=no compiles each file by itself.
 JUMBO ?= yes
 ALONE := fuzz/% \
-         source/view/gl/% source/view/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
+         source/draw/gl/% source/draw/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
          source/film/denoise/LocalFit.cpp source/app/manual/Version.cpp \
          $(if $(UNIT)$(filter-out file,$(origin TEST_SOURCES)),tests/% grader/tests/%) $(if $(filter yes,$(JUMBO)),,%)
 present = $(filter-out $(ABSENT),$(1))
@@ -137,8 +137,8 @@ $(BUILD)/obj/source/app/% $(BUILD)/obj/source/parse/%: OPTIMIZE_HERE := $(if $(f
 $(BUILD)/obj/source/sample/% $(BUILD)/obj/source/scene/% $(BUILD)/obj/source/integrate/all.o \
 $(BUILD)/obj/source/integrate/lights/% $(BUILD)/obj/source/integrate/shading/% $(BUILD)/obj/R3/shapes/%: \
   OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-ftree-vectorize $(if $(CLANG),,-fvect-cost-model=dynamic))
-OF_FEATURES := $(filter-out source/view/camera/%,$(filter source/app/manual/% source/app/rayview/% source/view/% tests/%, \
-                 $(LIBRARY_SOURCES) $(TEST_SOURCES)))
+OF_FEATURES := $(filter source/app/manual/% source/app/rayview/% source/draw/% source/view/% tests/%, \
+                 $(LIBRARY_SOURCES) $(TEST_SOURCES))
 OF_FEATURES := $(call objects,$(OF_FEATURES)) $(BUILD)/obj/source/app/rayview.o $(BUILD)/obj/bench/view.o
 $(OF_FEATURES): FEATURES_HERE := $(FEATURE_CPPFLAGS)
 $(OF_FEATURES): $(BUILD)/features
@@ -150,7 +150,7 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	$(call compile,$<)
 
 # What all programs share, and what is one program's own, so that raypro does not wait for the viewer.
-OF_RAYVIEW := $(filter-out source/view/camera/%,$(filter source/view/% source/app/rayview/%,$(LIBRARY_SOURCES)))
+OF_RAYVIEW := $(filter source/draw/% source/view/% source/app/rayview/%,$(LIBRARY_SOURCES))
 OF_RAYIMG := $(filter source/app/rayimg/%,$(LIBRARY_SOURCES))
 archive = @echo "  ar    $@" && rm -f $@ && $(AR) rcs $@ $^
 $(BUILD)/libray.a: $(call objects,$(filter-out $(OF_RAYVIEW) $(OF_RAYIMG),$(LIBRARY_SOURCES)))

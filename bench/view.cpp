@@ -11,10 +11,10 @@
 #include <memory>
 #include <vector>
 
-#include "source/view/MotionDetail.h"
+#include "source/draw/MotionDetail.h"
+#include "source/draw/contexts/Context.h"
+#include "source/draw/gl/Drawer.h"
 #include "source/view/Viewer.h"
-#include "source/view/contexts/Context.h"
-#include "source/view/gl/Drawer.h"
 
 namespace {
 

@@ -18,10 +18,12 @@ find R1 R2 R3 source grader page -type f \( -name '*.h' -o -name '*.cpp' -o -nam
     below["integrate"] = "accelerate"
     below["film"] = "R2"
     below["render"] = "parse integrate film"
-    below["view"] = "render"
+    below["draw"] = "render"
+    below["view"] = "draw"
     below["grader"] = "render"
-    below["app"] = "view grader"
-    below["raygrade"] = "app"
+    below["app"] = "view"
+    below["rayimg"] = "app grader"
+    below["raygrade"] = "app grader"
     below["page"] = "app"
     for (layer in below) allow(layer, layer)
   }

@@ -19,9 +19,9 @@
 #include "source/app/rayview/ViewOutputs.h"
 #include "source/app/rayview/ViewSession.h"
 #include "source/app/report/Messages.h"
+#include "source/draw/contexts/Context.h"
 #include "source/view/KeyBindings.h"
 #include "source/view/LoadedScene.h"
-#include "source/view/contexts/Context.h"
 
 namespace ray {
 namespace {

@@ -4,8 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "source/draw/Event.h"
 #include "source/parse/Text.h"
-#include "source/view/Event.h"
 
 /// What happens to a viewer, as text written by people or recorded. One step per line; # starts a comment,
 /// except in the rest of a line that is text or a name.

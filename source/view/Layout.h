@@ -1,7 +1,7 @@
 #pragma once
 
-#include "source/view/camera/CameraMoves.h"
-#include "source/view/camera/FlatView.h"
+#include "source/draw/CameraMoves.h"
+#include "source/draw/FlatView.h"
 
 namespace ray {
 

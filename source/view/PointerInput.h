@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "source/view/Event.h"
+#include "source/draw/Event.h"
 #include "source/view/ViewerState.h"
 
 namespace ray {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "source/draw/Drawing.h"
+#include "source/draw/preview/ScenePicture.h"
 #include "source/parse/SceneError.h"
-#include "source/view/Drawing.h"
 #include "source/view/LoadedScene.h"
-#include "source/view/preview/ScenePicture.h"
 
 namespace ray {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "source/view/Event.h"
-#include "source/view/FrameState.h"
+#include "source/draw/Event.h"
+#include "source/draw/FrameState.h"
 #include "source/view/PointerInput.h"
 #include "source/view/ViewerState.h"
 

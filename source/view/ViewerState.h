@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "source/view/DrawingDetail.h"
+#include "source/draw/DrawingDetail.h"
 #include "source/view/FileWatch.h"
 #include "source/view/Layout.h"
 #include "source/view/Notices.h"

@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "source/app/Status.h"
+#include "source/draw/gl/Canvas.h"
 #include "source/render/forecast/SecondsOf.h"
-#include "source/view/gl/Canvas.h"
 
 namespace ray {
 

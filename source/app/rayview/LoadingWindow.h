@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "source/draw/contexts/Context.h"
 #include "source/view/LoadedScene.h"
-#include "source/view/contexts/Context.h"
 
 namespace ray {
 

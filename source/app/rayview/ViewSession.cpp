@@ -23,14 +23,14 @@
 #include "source/app/rayview/SavePicture.h"
 #include "source/app/rayview/StoppedRender.h"
 #include "source/app/report/Messages.h"
+#include "source/draw/MotionDetail.h"
+#include "source/draw/contexts/Context.h"
+#include "source/draw/gl/Drawer.h"
 #include "source/parse/Text.h"
 #include "source/render/forecast/SecondsOf.h"
 #include "source/text/Quoting.h"
 #include "source/view/EventScript.h"
-#include "source/view/MotionDetail.h"
 #include "source/view/Viewer.h"
-#include "source/view/contexts/Context.h"
-#include "source/view/gl/Drawer.h"
 
 namespace ray {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "source/app/options/ViewerOptions.h"
 #include "source/app/rayview/ViewOutputs.h"
+#include "source/draw/contexts/Context.h"
 #include "source/view/LoadedScene.h"
-#include "source/view/contexts/Context.h"
 
 namespace ray {
 

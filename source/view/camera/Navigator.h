@@ -5,8 +5,8 @@
 #include <set>
 #include <vector>
 
-#include "source/view/Event.h"
-#include "source/view/camera/CameraMoves.h"
+#include "source/draw/CameraMoves.h"
+#include "source/draw/Event.h"
 
 namespace ray {
 

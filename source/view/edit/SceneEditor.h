@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "R3/Ray.h"
-#include "source/view/Drawing.h"
+#include "source/draw/Drawing.h"
 #include "source/view/edit/EditHistory.h"
 #include "source/view/edit/ScnEdits.h"
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "R2/Color.h"
+#include "source/draw/Frame.h"
 #include "source/render/Render.h"
 #include "source/render/RenderBlock.h"
-#include "source/view/live/Frame.h"
 
 namespace ray {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <thread>
 
+#include "source/draw/Frame.h"
 #include "source/render/Render.h"
 #include "source/view/LoadedScene.h"
-#include "source/view/live/Frame.h"
 
 namespace ray {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "source/view/FrameState.h"
+#include "source/draw/FrameState.h"
 #include "source/view/live/JobQueue.h"
 #include "source/view/live/ReferenceImage.h"
 

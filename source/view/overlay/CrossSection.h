@@ -7,8 +7,8 @@
 #include "R2/Point.h"
 #include "R2/Vector.h"
 #include "source/accelerate/Accelerator.h"
+#include "source/draw/Drawing.h"
 #include "source/scene/Camera.h"
-#include "source/view/Drawing.h"
 
 /// The cross section of a scene, drawn in its plane.
 namespace ray {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "source/draw/Drawing.h"
 #include "source/render/PixelTrace.h"
-#include "source/view/Drawing.h"
 
 /// The renderer's rays, shown in space.
 namespace ray {

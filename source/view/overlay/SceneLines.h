@@ -4,8 +4,8 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
+#include "source/draw/Drawing.h"
 #include "source/scene/Camera.h"
-#include "source/view/Drawing.h"
 
 /// Lines drawn over a scene.
 namespace ray {

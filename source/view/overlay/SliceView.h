@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "source/view/camera/CameraMoves.h"
+#include "source/draw/CameraMoves.h"
 #include "source/view/overlay/CrossSection.h"
 
 namespace ray {

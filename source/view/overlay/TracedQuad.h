@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "R3/Ray.h"
+#include "source/draw/CameraMoves.h"
 #include "source/render/RenderSettings.h"
 #include "source/scene/Camera.h"
-#include "source/view/camera/CameraMoves.h"
 
 namespace ray {
 

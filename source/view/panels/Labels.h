@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "source/view/Drawing.h"
+#include "source/draw/Drawing.h"
 #include "source/view/panels/Panels.h"
 
 namespace ray {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "source/view/Event.h"
-#include "source/view/PanelDrawing.h"
+#include "source/draw/Event.h"
+#include "source/draw/PanelDrawing.h"
 
 namespace ray {
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "source/view/FrameState.h"
+#include "source/draw/FrameState.h"
 #include "source/view/ViewerState.h"
 
 namespace ray {

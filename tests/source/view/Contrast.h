@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "source/view/Drawing.h"
+#include "source/draw/Drawing.h"
 
 /// Contrast of colors on a screen.
 ///   source   W3C, Web Content Accessibility Guidelines 2.1, contrast ratio and relative luminance

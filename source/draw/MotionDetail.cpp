@@ -1,0 +1,63 @@
+#include "source/draw/MotionDetail.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ray {
+namespace {
+
+constexpr double seconds_of_frame = 1.0 / 60;    // of a usual screen
+constexpr double seconds_noticed = 1.0 / 25;     // between drawings, as steps instead of motion
+constexpr double seconds_of_rest = 0.15;         // a hand that pauses for longer has stopped
+constexpr double seconds_of_patience = 1;        // that a smoothed drawing may keep the next event waiting
+constexpr double smoothing_takes = 5;            // times a drawing without, usually; once it was done, that is known
+constexpr int least_pixels = 240;                // across, which the smallest screens once had
+
+/// What a drawing takes falls with the number of its pixels.
+int StepInMotion(double seconds, const DrawingSize& size) {
+  const int most = std::max(1, std::min(size.width, size.height) / least_pixels);
+  return std::clamp(static_cast<int>(std::ceil(std::sqrt(seconds / seconds_of_frame))), 1, most);
+}
+
+}  // namespace
+
+DrawingDetail MotionDetail::For(const FrameState& shown, double now) {
+  if (shown.faces != faces_) smooth_seconds_.reset(), rough_seconds_.reset();
+  faces_ = shown.faces;
+  const bool has_moved = view_ && *view_ != shown.clip_from_drawing;
+  if (has_moved) moved_at_ = now;
+  is_moving_ = has_moved || (is_moving_ && now < moved_at_ + seconds_of_rest);
+  view_ = shown.clip_from_drawing;
+  draws_faces_ = shown.shows_faces && !shown.picture;
+  if (is_moving_) {
+    const double at_rest = std::max(smooth_seconds_.value_or(0), rough_seconds_.value_or(0));
+    const bool is_quick = smooth_seconds_ && std::max(at_rest, motion_seconds_) < seconds_of_frame / 2;
+    detail_ = {StepInMotion(motion_seconds_, shown.view), is_quick, is_quick, at_rest > seconds_noticed};
+  } else {
+    detail_ = {1, IsWorthSmoothing(), true, false};
+  }
+  return detail_;
+}
+
+bool MotionDetail::IsWorthSmoothing() const {
+  if (smooth_seconds_) return *smooth_seconds_ < seconds_of_patience;
+  return rough_seconds_ && smoothing_takes * *rough_seconds_ < seconds_of_patience;
+}
+
+void MotionDetail::Took(double seconds) {
+  if (!draws_faces_) return;
+  if (IsAtRest()) (detail_.is_smooth ? smooth_seconds_ : rough_seconds_) = seconds;
+  // In all pixels it would have taken at most so long: not all that a drawing takes is for pixels.
+  const int step = detail_.pixel_step;
+  const double bound = step * step * seconds;
+  motion_seconds_ = step == 1 ? bound : std::min(motion_seconds_, bound);
+}
+
+std::optional<double> MotionDetail::RefinementTime() const {
+  if (detail_ == DrawingDetail{}) return {};
+  if (!IsAtRest()) return moved_at_ + seconds_of_rest;
+  if (IsWorthSmoothing()) return moved_at_;
+  return {};
+}
+
+}  // namespace ray

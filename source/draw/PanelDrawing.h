@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "source/draw/Drawing.h"
+
+namespace ray {
+
+/// How much of each pixel ink covers, 0 to 255, rows from the top: the letters of panels, and a place all of ink for
+/// what is filled.
+struct InkSheet {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> ink;
+};
+
+/// Panels as triangles, for a painter. Positions are in pixels from the upper left corner of the drawing.
+struct PanelDrawing {
+  struct Corner {
+    float x = 0, y = 0;
+    float u = 0, v = 0;  // on the sheet, from 0 at its upper left corner to 1
+    Rgba color{};
+  };
+  /// Some of the triangles, and the rectangle outside of which they are not drawn.
+  struct Part {
+    int left = 0, top = 0, right = 0, bottom = 0;
+    std::size_t first = 0, count = 0;  // of `indices`
+  };
+
+  std::vector<Corner> corners;
+  std::vector<std::uint32_t> indices;  // three per triangle
+  std::vector<Part> parts;             // in the order of drawing
+  std::shared_ptr<const InkSheet> sheet;
+};
+
+}  // namespace ray

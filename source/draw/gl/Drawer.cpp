@@ -1,0 +1,162 @@
+#include "source/draw/gl/Drawer.h"
+
+#include <cmath>
+
+namespace ray {
+namespace {
+
+constexpr double hidden_lines = 0.3;  // of their alpha is left where they are behind something
+constexpr double lit_width = 3;       // pixels
+constexpr int slider_width = 2;       // pixels
+constexpr R2::Color slider_color{1, 1, 1};
+constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+PictureLook LookOf(const FrameState::Picture& picture) {
+  return {.exposure = picture.exposure.factor, .srgb = picture.exposure.srgb, .rows = picture.rows};
+}
+
+int Whole(double pixels) { return static_cast<int>(std::lround(pixels)); }
+
+/// From pixels of a view to the square from -1 to 1.
+std::array<std::array<float, 3>, 4> CornersOf(const PixelBox& box, const DrawingSize& view) {
+  const auto x = [&](double at) { return static_cast<float>(2 * at / view.width - 1); };
+  const auto y = [&](double at) { return static_cast<float>(2 * at / view.height - 1); };
+  const float left = x(box.left), right = x(box.left + box.width);
+  const float low = y(box.bottom), high = y(box.bottom + box.height);
+  return {{{left, low, 0}, {right, low, 0}, {right, high, 0}, {left, high, 0}}};
+}
+
+}  // namespace
+
+template <typename List, typename GpuList, typename Uploader>
+GpuList& Drawer::Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list, const Uploader& uploader) {
+  if (slot.list != list) {
+    slot.uploaded.reset();  // first, so that both are never there at once
+    slot.uploaded = uploader.Upload(*list);
+    slot.list = list;
+  }
+  return *slot.uploaded;
+}
+
+void Drawer::Fit(PictureSlot& slot, int width, int height) {
+  if (slot.uploaded && slot.uploaded->width == width && slot.uploaded->height == height) return;
+  slot.uploaded.reset();
+  slot.uploaded = painter_.pictures.Make(width, height);
+}
+
+const GpuPicture& Drawer::Upload(PictureSlot& slot, const FrameState::Picture& picture) {
+  if (picture.image) {
+    UploadImage(slot, picture.image);
+  } else {
+    const Frame& frame = *picture.frame;
+    if (slot.number != picture.number || slot.image) {
+      slot.uploaded.reset();  // a new one is black
+      Fit(slot, frame.Width(), frame.Height());
+      slot.versions.assign(static_cast<std::size_t>(frame.Height()), 0);
+      slot.image.reset();
+      slot.number = picture.number;
+    }
+    UploadNewRows(slot, frame, picture.rows < 0 ? frame.Height() : picture.rows);
+  }
+  return *slot.uploaded;
+}
+
+void Drawer::UploadImage(PictureSlot& slot, const std::shared_ptr<const R2::Image>& image) {
+  if (slot.image == image) return;
+  Fit(slot, image->Width(), image->Height());
+  painter_.pictures.Update(*slot.uploaded, 0, image->Height(), image->Channels());
+  slot.image = image;
+  slot.number = 0;
+}
+
+/// Runs of the rows below `end` that were written since the last time.
+void Drawer::UploadNewRows(PictureSlot& slot, const Frame& frame, int end) {
+  for (int row = 0; row < end; ++row) {
+    const int first = row;
+    while (row < end && frame.Version(row) != slot.versions[static_cast<std::size_t>(row)]) {
+      slot.versions[static_cast<std::size_t>(row)] = frame.Version(row);
+      ++row;
+    }
+    if (row == first) continue;
+    rows_.clear();
+    frame.Copy(first, row - first, rows_);
+    painter_.pictures.Update(*slot.uploaded, first, row - first, rows_);
+  }
+}
+
+void Drawer::DrawScene(const FrameState& state) {
+  const SurfaceDrawer& surfaces = painter_.surfaces;
+  GpuSurfaces& faces = Upload(faces_, state.faces, surfaces);
+  if (state.shows_faces) {
+    surfaces.SetShadows(faces, state.shows_shadows);
+    surfaces.DrawProbes(faces);
+  }
+  const DrawingDetail& detail = state.detail;
+  if (detail.is_sparse) surfaces.SetFewer(faces, state.faces_in_motion);
+  const auto draw = [&] {
+    surfaces.DrawSky(faces, state.seen_from);
+    if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from, detail);
+  };
+  const auto draw_all = [&] {
+    painter_.canvas.Fill(state.background);
+    draw();
+  };
+  if (detail.pixel_step > 1) return painter_.coarse.Draw(detail.pixel_step, draw_all);
+  if (detail.is_smooth) return painter_.coarse.DrawSmoothly(draw_all);
+  draw();
+}
+
+void Drawer::DrawPicture(const FrameState& state) {
+  const auto draw = [&](PictureSlot& slot, const FrameState::Picture& picture) {
+    painter_.pictures.DrawFlat(Upload(slot, picture), CornersOf(picture.place, state.view), LookOf(picture));
+  };
+  draw(picture_, *state.picture);
+  const int width = state.view.width, height = state.view.height;
+  if (state.split < 0 || state.split >= width) return;
+  // The rest is drawn over it.
+  Canvas& canvas = painter_.canvas;
+  canvas.Clip(state.split, 0, width - state.split, height);
+  canvas.Fill(state.background);
+  if (state.beside) {
+    draw(beside_, *state.beside);
+  } else {
+    const PixelBox& place = state.picture->place;
+    canvas.SetViewport(Whole(place.left), Whole(place.bottom), Whole(place.width), Whole(place.height));
+    canvas.Clip(state.split, 0, width - state.split, height);
+    DrawScene(state);
+    canvas.SetViewport(0, 0, width, height);
+  }
+  canvas.Clip(state.split, 0, slider_width, height);
+  canvas.Fill(slider_color);
+  canvas.SetViewport(0, 0, width, height);
+}
+
+void Drawer::Draw(const FrameState& state) {
+  Canvas& canvas = painter_.canvas;
+  const ListDrawer& lists = painter_.lists;
+  canvas.Begin(state.size.width, state.size.height, state.background);
+  canvas.SetViewport(0, 0, state.view.width, state.view.height);
+  const ClipMatrix& clip = state.clip_from_drawing;
+  const bool is_covered = state.picture.has_value();
+  if (is_covered)
+    DrawPicture(state);
+  else
+    DrawScene(state);
+  if (state.shows_edges)
+    painter_.surfaces.DrawEdges(Upload(faces_, state.faces, painter_.surfaces), clip, state.edge_color);
+  if (state.quad && !is_covered)
+    painter_.pictures.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
+  const int width = state.line_width;
+  lists.Draw(Upload(lines_, state.lines), clip, width, hidden_lines);
+  if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, width, hidden_lines);
+  if (state.lit) lists.Draw(Upload(lit_, state.lit), clip, lit_width * width, hidden_lines);
+  if (state.crop) lists.Draw(Upload(crop_, state.crop), clip, width, 1);
+  if (state.section) {
+    canvas.SetViewport(state.view.width, 0, state.section_size.width, state.section_size.height);
+    canvas.Fill(state.section_ground);
+    lists.Draw(Upload(section_, state.section), as_it_is, width, 1);
+  }
+  if (state.panels) painter_.panels.Draw(*state.panels, canvas);
+}
+
+}  // namespace ray

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "source/draw/FrameState.h"
+#include "source/draw/gl/Painter.h"
+
+namespace ray {
+
+/// Draws FrameStates. What does not change from one to the next stays on the GPU.
+class Drawer {
+ public:
+  explicit Drawer(Painter& painter) : painter_(painter) {}
+
+  void Draw(const FrameState& state);
+
+ private:
+  /// A list of vertices and its buffer on the GPU.
+  template <typename List, typename GpuList>
+  struct Slot {
+    std::shared_ptr<const List> list;
+    std::shared_ptr<GpuList> uploaded;
+  };
+  template <typename List, typename GpuList, typename Uploader>
+  GpuList& Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list, const Uploader& uploader);
+  const GpuLines& Upload(Slot<Lines, GpuLines>& slot, const std::shared_ptr<const Lines>& lines) {
+    return Upload(slot, lines, painter_.lists);
+  }
+
+  /// A texture for an image, and which rows of which frame it holds.
+  struct PictureSlot {
+    std::uint64_t number = 0;
+    std::shared_ptr<const R2::Image> image;
+    std::vector<std::uint32_t> versions;
+    std::shared_ptr<GpuPicture> uploaded;
+  };
+  const GpuPicture& Upload(PictureSlot& slot, const FrameState::Picture& picture);
+  void UploadImage(PictureSlot& slot, const std::shared_ptr<const R2::Image>& image);
+  void UploadNewRows(PictureSlot& slot, const Frame& frame, int end);
+  /// Draws the surfaces and the background.
+  void DrawScene(const FrameState& state);
+  /// Draws the image that covers the view, up to its slider, and the rest beside it.
+  void DrawPicture(const FrameState& state);
+  void Fit(PictureSlot& slot, int width, int height);
+
+  Painter& painter_;
+  Slot<ScenePicture, GpuSurfaces> faces_;
+  Slot<Lines, GpuLines> lines_, marks_, lit_, crop_, section_;
+  PictureSlot quad_, picture_, beside_;
+  std::vector<float> rows_;
+};
+
+}  // namespace ray

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+
+#include "source/draw/CameraMoves.h"
+
+namespace ray {
+
+/// How radiance becomes what a screen is given.
+struct Exposure {
+  double factor = 1;
+  bool srgb = false;
+};
+
+/// From where a scene is seen, in its drawing space.
+struct PreviewView {
+  std::array<float, 3> eye{};
+  /// Towards the lower left corner; what is to be added for the lower right, and for the upper left one.
+  std::array<std::array<float, 3>, 3> directions{};
+  Exposure exposure;
+  std::array<float, 2> depths{};  // of the nearest and the farthest surface seen, where the mode shows how far they are
+};
+
+PreviewView ViewFrom(const Camera& camera, const DrawingSpace& space, const DrawingSize& size,
+                     const Exposure& exposure);
+
+}  // namespace ray

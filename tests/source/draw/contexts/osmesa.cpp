@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "tests/Project.h"
+
+namespace ray {
+namespace {
+
+std::set<std::string> AllThatMatch(const std::string& text, const std::regex& pattern) {
+  std::set<std::string> all;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
+    all.insert((*match)[1]);
+  return all;
+}
+
+std::string TextOf(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+// One that is missing is looked up through GLX or EGL, which ends the program where neither has a context.
+TEST(OsMesa, HasEveryFunctionOfOpenGlThatWeCall) {
+  const std::filesystem::path draw = project::Root() / "source/draw";
+  std::set<std::string> called;
+  for (const auto& file : std::filesystem::directory_iterator(draw / "gl"))
+    called.merge(AllThatMatch(TextOf(file.path()), std::regex("\\bgl([A-Z][A-Za-z0-9]+)\\b")));
+  EXPECT_GT(called.size(), 60U);
+  const auto has = AllThatMatch(TextOf(draw / "contexts/osmesa.cpp"), std::regex("USE\\((\\w+)\\)"));
+  for (const std::string& name : called) EXPECT_TRUE(has.contains(name)) << "gl" << name;
+}
+
+}  // namespace
+}  // namespace ray
