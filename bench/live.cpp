@@ -2,8 +2,8 @@
 //
 //     make bench && build/bench/live [scenes=hello,area_light] [size=512] [threads=N] [times=N]
 //
-// Columns: from Cancel to the job's end, at a random moment of its passes; from a job's start to a first pass that is
-// whole, its stride chosen by the rate of the job before to take 40 ms. Then the
+// Columns: from Cancel to the job's end, at a random moment of its passes; from a job's start to a first look that is
+// whole, its places chosen by the rate of the job before to take 40 ms. Then the
 // seconds of a whole picture by a job and by Render with as many threads, taking turns.
 
 #include <tbb/info.h>
@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "source/render/FirstLook.h"
 #include "source/view/live/RenderJob.h"
 
 namespace {
@@ -53,7 +54,6 @@ std::vector<double> CancelTimes(const std::shared_ptr<const ray::LoadedScene>& s
   std::mt19937 random(1);
   std::uniform_real_distribution<double> moment(0, seconds);
   std::vector<double> taken;
-  std::int64_t late = 0;
   while (static_cast<int>(taken.size()) < times) {
     RenderJob job(scene, settings, order);
     std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
@@ -62,9 +62,7 @@ std::vector<double> CancelTimes(const std::shared_ptr<const ray::LoadedScene>& s
     job.Cancel();
     WaitFor([&] { return job.HasEnded(); });
     taken.push_back(SecondsSince(start));
-    late += job.PixelsBegunAfterCancel();
   }
-  if (late > 0) std::printf("  %lld pixels were begun after Cancel\n", static_cast<long long>(late));
   return taken;
 }
 
@@ -87,16 +85,16 @@ void Measure(const std::string& name, const ray::RenderSettings& settings, int t
     ray::Render(scene->world, *scene->accelerator, settings);
     renders.push_back(SecondsSince(start));
   }
-  const int stride = ray::FirstStride(pixels, rate, first_pass_seconds);
+  const int places = ray::PlacesWithin(first_pass_seconds, pixels, rate);
   const double job_seconds = Quantile(jobs, 0.5), render_seconds = Quantile(renders, 0.5);
-  std::printf("%s %dx%d, %d threads, %.3g pixels/s, first stride %d\n", name.c_str(), settings.width, settings.height,
-              settings.threads, rate, stride);
+  std::printf("%s %dx%d, %d threads, %.3g pixels/s, first look at %d of 64 places\n", name.c_str(), settings.width,
+              settings.height, settings.threads, rate, places);
 
   std::vector<double> first;
   for (int i = 0; i < times; ++i) {
-    RenderJob job(scene, settings, RenderJob::Order::coarse_first, ray::FirstStride(pixels, rate, first_pass_seconds));
+    RenderJob job(scene, settings, RenderJob::Order::coarse_first, ray::PlacesWithin(first_pass_seconds, pixels, rate));
     const auto start = Clock::now();
-    WaitFor([&] { return job.Stride() > 0; });
+    WaitFor([&] { return job.Places() > 0; });
     first.push_back(SecondsSince(start));
     rate = job.PixelsPerSecond();
   }

@@ -14,6 +14,7 @@
 #include "source/app/report/Check.h"
 #include "source/film/Film.h"
 #include "source/parse/SceneError.h"
+#include "source/render/FirstLook.h"
 #include "source/render/LayerColors.h"
 #include "source/render/Parts.h"
 #include "source/render/PixelTrace.h"
@@ -124,12 +125,6 @@ std::uint32_t NextEnd(std::uint32_t done) {
   return done < most_at_once ? std::max(done * 2, std::uint32_t{1}) : done + most_at_once;
 }
 
-/// A first pass takes the first sample of few pixels, from which the others are filled: an image at once.
-PassTargets FirstLook(const PassTargets& due) {
-  constexpr std::uint8_t places = BlockOrder::places / 16;
-  return {std::vector<std::uint32_t>(due.samples.size(), 0), std::vector<std::uint8_t>(due.samples.size(), places)};
-}
-
 /// Costs depend on what was traced before, and subsampled images are looks already.
 bool BeginsWithLook(const Session& of) {
   return !of.has_looked && of.state.schedule.targets.places.empty() && !ShowsCosts(of.scene.options.render.mode);
@@ -138,7 +133,7 @@ bool BeginsWithLook(const Session& of) {
 /// Changes what is due in the round to what is due in the next pass.
 void LimitToPass(Session& of, PassTargets& due) {
   if (BeginsWithLook(of)) {
-    due = FirstLook(due);
+    due = LookTargets(due.samples.size(), BlockOrder::places / 16);
   } else {
     of.pass_end = NextEnd(of.pass_end);
     for (std::uint32_t& samples : due.samples) samples = std::min(samples, of.pass_end);

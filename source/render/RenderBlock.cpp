@@ -66,10 +66,7 @@ void TraceSamples(const SampleSource& source, std::span<const CameraSample> samp
 }
 
 bool Trace(const SampleSource& source, TraceState& state, SampleBatch& batch) {
-  return !state.IsStopped() && TraceBatch(source, state, batch);
-}
-
-bool TraceBatch(const SampleSource& source, TraceState& state, SampleBatch& batch) {
+  if (state.IsStopped()) return false;
   const std::size_t count = batch.due.size();
   if (batch.samples.size() < count) batch.samples.resize(count), batch.radiances.resize(count);
   const auto samples = std::span(batch.samples).first(count);

@@ -51,44 +51,6 @@ struct SampleBatch {
 ///             have broken off
 bool Trace(const SampleSource& source, TraceState& state, SampleBatch& batch);
 
-/// Like Trace, for a caller that has looked at state.stop itself: it traces the batch without looking again, so that
-/// `batch` holds all samples and radiances.
-bool TraceBatch(const SampleSource& source, TraceState& state, SampleBatch& batch);
-
-/// Traces camera rays a batch at a time, and gives each to splat(column, row, sample, radiance) in the order they were
-/// added.
-template <typename Splat>
-class BatchTracer {
- public:
-  /// The first two must outlive it.
-  BatchTracer(const SampleSource& source, TraceState& state, const Splat& splat)
-      : source_(source), state_(state), splat_(splat) {}
-
-  /// Traces the batch once it is full. Returns what Finish does.
-  bool Add(const PixelSample& sample) {
-    batch_.due.push_back(sample);
-    return batch_.due.size() < R1::batch_size || Finish();
-  }
-  /// Traces the samples that are left. Returns false if asked to stop, see Trace. It looks at that once beforehand: a
-  /// second look that said otherwise would leave it without the samples that it gives to splat.
-  bool Finish() {
-    if (state_.IsStopped()) return false;
-    const bool goes_on = TraceBatch(source_, state_, batch_);
-    for (std::size_t i = 0; i < batch_.due.size(); ++i)
-      splat_(batch_.due[i].column, batch_.due[i].row, batch_.samples[i], batch_.radiances[i]);
-    batch_.due.clear();
-    return goes_on;
-  }
-  /// Whether all that was added has been traced.
-  bool IsEmpty() const { return batch_.due.empty(); }
-
- private:
-  const SampleSource& source_;
-  TraceState& state_;
-  const Splat splat_;
-  SampleBatch batch_;
-};
-
 /// Which samples of a block are due: from `first` to `last` - 1 of each pixel, of one stream.
 struct SamplesDue {
   PixelRectangle pixels;

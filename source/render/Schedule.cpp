@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "R1/Elementary.h"
+#include "source/render/FirstLook.h"
 #include "source/render/forecast/TimeBudget.h"
 
 namespace ray {
@@ -121,8 +122,7 @@ void Schedule::SampleTo(std::uint32_t end) {
 
 void Schedule::LookAt(int places) {
   state_.end = 0;
-  state_.targets = {std::vector<std::uint32_t>(blocks_.areas.size(), 0),
-                    std::vector<std::uint8_t>(blocks_.areas.size(), static_cast<std::uint8_t>(places))};
+  state_.targets = LookTargets(blocks_.areas.size(), places);
 }
 
 void Schedule::Resume(ScheduleState state) {

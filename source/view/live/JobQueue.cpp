@@ -5,9 +5,9 @@
 namespace ray {
 
 RenderJob& JobQueue::Start(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings,
-                           RenderJob::Order order, int first_stride) {
+                           RenderJob::Order order, int first_places) {
   Abandon();
-  current_ = std::make_unique<RenderJob>(std::move(scene), settings, order, first_stride);
+  current_ = std::make_unique<RenderJob>(std::move(scene), settings, order, first_places);
   return *current_;
 }
 
@@ -21,7 +21,7 @@ void JobQueue::Abandon() {
   Collect();
   if (!current_) return;
   current_->Cancel();
-  if (current_->Stride() == 0) return abandoned_.push_back(std::move(current_));
+  if (current_->Places() == 0) return abandoned_.push_back(std::move(current_));
   ForgetLast();
   last_ = std::move(current_);
 }

@@ -13,7 +13,7 @@ class JobQueue {
  public:
   /// Abandons the current job, if there is one, for a new one.
   RenderJob& Start(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, RenderJob::Order order,
-                   int first_stride = 8);
+                   int first_places = 1);
   /// Continues the current job, which was canceled, by a new one of the same settings.
   RenderJob& Continue(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
   /// Cancels the current job; then there is none.

@@ -7,19 +7,17 @@
 #endif
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <exception>
 #include <new>
 
-#include "source/view/live/CoarsePasses.h"
+#include "source/render/FirstLook.h"
 #include "source/view/live/FinishedRows.h"
 
 namespace ray {
 namespace {
 
-constexpr int most_apart = 64;     // pixels of a first pass
-constexpr int unknown_stride = 8;  // before any rate was measured
+constexpr std::chrono::milliseconds time_between_images{250};  // of a first look that takes longer
 
 /// So that drawing need not wait for a processor where there are few: beside a thread that draws this one, and those it
 /// starts, get a tenth of the time.
@@ -50,14 +48,14 @@ bool HasSamples(const RenderState& state) {
 }  // namespace
 
 RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
-                     int first_stride)
-    : RenderJob(std::move(scene), settings, order, first_stride, {}) {}
+                     int first_places)
+    : RenderJob(std::move(scene), settings, order, first_places, {}) {}
 
 RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Stopped before)
     : RenderJob(std::move(scene), settings, Order::rows, 1, std::move(before)) {}
 
 RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
-                     int first_stride, std::optional<Stopped> before)
+                     int first_places, std::optional<Stopped> before)
     : before_(std::move(before)),
       start_(Clock::now() - std::chrono::duration_cast<Clock::duration>(
                                 std::chrono::duration<double>(before_ ? before_->seconds : 0))),
@@ -65,7 +63,7 @@ RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSetti
       settings_(ForJob(settings, order)),
       order_(order),
       threads_of_further_samples_(settings.threads),
-      first_stride_(static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(1, first_stride))))),
+      first_places_(first_places),
       frame_(RegionOf(settings).Width(), RegionOf(settings).Height()),
       thread_([this] { Run(); }) {}
 
@@ -122,24 +120,25 @@ std::optional<double> RenderJob::SecondsLeft() const {
 }
 
 std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integrator) {
-  const Film film = EmptyFilmOf(settings_);
-  const CameraRays camera = CameraRaysOf(scene_->world, settings_);
-  CoarsePasses passes(integrator, camera, film, settings_, {frame_, stop_, rays_, begun_late_});
-  // What a pixel costs may depend on those before it, so Render takes all samples of heat, in one go; where they are
-  // many, the first is worth being seen as fine as it is.
-  const bool is_kept = !ShowsCosts(settings_.mode) && !IsSubsampled(settings_);
-  const int last_stride = is_kept || settings_.samples > 1 ? 1 : 2;
-  const double all_samples = settings_.samples * static_cast<double>(film.Sampled().Area());
-  const auto begin = Clock::now();
-  for (int stride = std::max(last_stride, first_stride_), traced = 0; stride >= last_stride; stride /= 2) {
-    if (!passes.Trace(stride, traced)) return {};
-    traced = stride;
-    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    pixels_per_second_ = static_cast<double>(passes.PixelsTraced()) / std::max(1e-9, seconds);
-    if (is_kept) share_ = static_cast<double>(passes.PixelsTraced()) / all_samples;
-    stride_.store(stride, std::memory_order_release);
+  FirstLook look(scene_->world, integrator, settings_, &stop_, [this](std::uint64_t rays) { rays_ = rays; });
+  // What a pixel costs may depend on those before it, so Render takes all samples of costs, in one go; if they are
+  // many, the first is worth being seen at every pixel.
+  const bool is_kept = !ShowsCosts(settings_.mode);
+  const int whole = IsSubsampled(settings_) ? settings_.places : BlockOrder::places;
+  const int last = is_kept || settings_.samples > 1 ? whole : whole / 4;
+  for (int places = std::min(first_places_, last);; places = std::min(4 * places, last)) {
+    auto end = PassRunner::End::paused;
+    while (end == PassRunner::End::paused) {
+      end = look.Look(places, Clock::now() + time_between_images);
+      if (end == PassRunner::End::stopped) return {};
+      if (end == PassRunner::End::paused || places < last || !is_kept) Show(look.Image(), 0);  // else Render shows it
+    }
+    pixels_per_second_ = look.Pixels(places) / std::max(1e-9, Seconds());
+    if (is_kept) share_ = places / (settings_.samples * double{BlockOrder::places});
+    places_.store(places, std::memory_order_release);
+    if (places == last) break;
   }
-  if (last_stride == 1) samples_.store(1, std::memory_order_release);
+  if (!is_kept && last == whole) samples_.store(1, std::memory_order_release);
 
   RenderSettings settings = settings_;
   settings.threads = threads_of_further_samples_;
@@ -153,7 +152,7 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
     share_ = static_cast<double>(progress.done) / static_cast<double>(progress.total);
   };
   if (is_kept) {
-    monitor.resume = [&](const Film&) { return passes.TakeState(); };
+    monitor.resume = [&](const Film&) { return look.TakeState(); };
     monitor.pass_done = [&](const R2::Image& image, std::uint32_t per_stream) {
       Show(image, 0);
       samples_.store(streams * static_cast<int>(per_stream), std::memory_order_release);
@@ -165,7 +164,7 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
   if (!settings_.wants_passes && !settings_.budget.IsOpen())
     result.passes.erase(result.passes.begin(), result.passes.end() - 1);
   Show(result.image, 0);
-  stride_.store(1, std::memory_order_release);
+  places_.store(BlockOrder::places, std::memory_order_release);
   samples_.store(static_cast<int>(std::lround(result.samples.mean)), std::memory_order_release);
   return result;
 }
@@ -212,13 +211,6 @@ void RenderJob::Show(const R2::Image& image, int first) {
     for (int x = 0; x < image.Width(); ++x) frame_.Set(x, first + y, image.At(x, y));
     frame_.Touch(first + y);
   }
-}
-
-int FirstStride(std::int64_t pixels, double pixels_per_second, double seconds) {
-  if (!(pixels_per_second > 0)) return unknown_stride;
-  int stride = 1;
-  while (stride<most_apart&& static_cast<double>(pixels)> seconds * pixels_per_second * stride * stride) stride *= 2;
-  return stride;
 }
 
 }  // namespace ray

@@ -18,8 +18,8 @@ namespace ray {
 /// may end when it likes: nobody looks at what it still writes.
 class RenderJob {
  public:
-  /// coarse_first   pixels 8 apart (or more, see first_stride), then 4, 2 and 1 apart, each traced once; then more
-  ///                samples, twice as many pass by pass, until the budget or the count of samples is reached
+  /// coarse_first   first looks at the image, each at four times as many pixels as the one before, see FirstLook; then
+  ///                more samples, twice as many pass by pass, until the budget or the count of samples is reached
   /// rows           in rows of blocks of the film from the bottom, each with all its samples; all at once where
   ///                neighboring pixels decide who gets samples, or what a pixel shows
   enum class Order { coarse_first, rows };
@@ -33,9 +33,9 @@ class RenderJob {
   /// Starts at once. `settings.view` is the camera if it is not the scene's. Without `settings.threads` one core is
   /// left to whoever shows the picture, until each pixel has its first sample in order coarse_first. Time counts from
   /// the start of the job, and ends no earlier than with that sample. Limits of budgets are ignored in order rows, and
-  /// replays. Strides are powers of two, others are rounded down.
+  /// replays. `first_places`: pixels of each block in the first look.
   RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
-            int first_stride = 8);
+            int first_places = 1);
   /// Continues, in order rows, a job of the same scene and settings; time counts on. The result is that of a job that
   /// was never canceled.
   RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Stopped before);
@@ -61,8 +61,8 @@ class RenderJob {
   const LoadedScene& scene() const { return *scene_; }
   /// Rows from the bottom that will not change any more (order rows).
   int RowsDone() const { return rows_done_.load(std::memory_order_acquire); }
-  /// Pixels apart of the last pass that is whole; 0 before the first.
-  int Stride() const { return stride_.load(std::memory_order_acquire); }
+  /// The pixels of each block that have their first sample; 0 before the first look is whole.
+  int Places() const { return places_.load(std::memory_order_acquire); }
   /// Samples per pixel that the frame shows, where it is whole; their mean once it is complete, the most before.
   int Samples() const { return samples_.load(std::memory_order_acquire); }
   /// What a job in order rows had when it was canceled; nothing where that was no sample, or it did not end so.
@@ -74,15 +74,11 @@ class RenderJob {
   std::optional<double> Share() const;
   /// Until the end, at the pace so far; nothing where that is not known.
   std::optional<double> SecondsLeft() const;
-  /// First samples traced per second, up to the last pass that is whole; 0 before the first. For FirstStride of the
-  /// next job.
+  /// First samples traced per second, up to the last look that is whole; 0 before the first. For PlacesWithin.
   double PixelsPerSecond() const { return pixels_per_second_.load(std::memory_order_relaxed); }
-  /// Pixels handed to the tracer in passes apart though Cancel had been asked for before they were chosen: 0, always.
-  /// For tests.
-  std::int64_t PixelsBegunAfterCancel() const { return begun_late_.load(); }
 
  private:
-  RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order, int first_stride,
+  RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order, int first_places,
             std::optional<Stopped> before);
   void Run();
   std::optional<RenderResult> RenderCoarseFirst(const Integrator& integrator);
@@ -99,12 +95,11 @@ class RenderJob {
   const RenderSettings settings_;
   const Order order_;
   const int threads_of_further_samples_;  // 0: as many as the machine has
-  const int first_stride_;
+  const int first_places_;
   Frame frame_;
   std::atomic<bool> stop_ = false, has_ended_ = false;
-  std::atomic<int> rows_done_ = 0, stride_ = 0, samples_ = 0;
+  std::atomic<int> rows_done_ = 0, places_ = 0, samples_ = 0;
   std::atomic<std::uint64_t> rays_ = 0;
-  std::atomic<std::int64_t> begun_late_ = 0;
   std::atomic<double> pixels_per_second_ = 0, share_ = 0;
   // Written before has_ended_, read after.
   std::optional<RenderResult> result_;
@@ -113,9 +108,5 @@ class RenderJob {
   double seconds_ = 0;
   std::thread thread_;  // the last, so that the other members exist when it starts
 };
-
-/// How far apart the pixels of a first pass may be as near as possible for it to take no longer than `seconds`: a power
-/// of two from 1 to 64. `pixels`: of the picture. `pixels_per_second`: as measured, 0 when nothing is known.
-int FirstStride(std::int64_t pixels, double pixels_per_second, double seconds);
 
 }  // namespace ray

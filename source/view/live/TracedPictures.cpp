@@ -7,6 +7,7 @@
 #include "R2/Ramp.h"
 #include "R2/compare/Difference.h"
 #include "R2/compare/Flip.h"
+#include "source/render/FirstLook.h"
 #include "source/text/NumberText.h"
 
 namespace ray {
@@ -87,15 +88,15 @@ void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, con
                             bool is_endless) {
   if (Live() && Live()->PixelsPerSecond() > 0) pixels_per_second_ = Live()->PixelsPerSecond();
   if (!is_live_ || !is_due_) return;
-  const bool has_nothing_yet = Live() && !Live()->HasEnded() && Live()->Stride() == 0;
+  const bool has_nothing_yet = Live() && !Live()->HasEnded() && Live()->Places() == 0;
   if (moves_ && has_nothing_yet && Live()->Seconds() < most_seconds_of_first_pass) return;
   is_due_ = false;
-  if (Live() && Live()->Stride() > 0) last_number_ = live_number_;
+  if (Live() && Live()->Places() > 0) last_number_ = live_number_;
   RenderSettings in_mode = settings;
   in_mode.mode = mode_.value_or(settings.mode);
   const auto pixels = static_cast<std::int64_t>(settings.width) * settings.height;
   live_.Start(scene, ForLive(in_mode, mode_.has_value(), is_endless), RenderJob::Order::coarse_first,
-              FirstStride(pixels, pixels_per_second_, seconds_of_first_pass));
+              PlacesWithin(seconds_of_first_pass, pixels, pixels_per_second_));
   live_number_ = ++jobs_;
   has_reported_live_end_ = false;
   if (!moves_) live_.ForgetLast();
@@ -103,7 +104,7 @@ void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, con
 
 const RenderJob* TracedPictures::ShownLive() const {
   if (!is_live_ || !Live()) return nullptr;
-  if (Live()->Stride() > 0) return Live();
+  if (Live()->Places() > 0) return Live();
   const RenderJob* last = live_.Last();
   const bool is_alike =
       last && last->frame().Width() == Live()->frame().Width() && last->frame().Height() == Live()->frame().Height();
@@ -181,14 +182,14 @@ const TracedPictures::FalseColors& TracedPictures::InFalseColors() const {
   FalseColors now;
   if (const RenderJob* job = IsLive() ? Live() : Trace()) {
     now.number = IsLive() ? LiveNumber() : TraceNumber();
-    now.samples = job->Samples(), now.rows = job->RowsDone(), now.stride = job->Stride();
+    now.samples = job->Samples(), now.rows = job->RowsDone(), now.places = job->Places();
     now.has_ended = job->HasEnded();
   }
   now.how = comparing_;
   now.reference = reference_.image;
   FalseColors& known = false_colors_;
   if (known.number == now.number && known.samples == now.samples && known.rows == now.rows &&
-      known.stride == now.stride && known.has_ended == now.has_ended && known.how == now.how &&
+      known.places == now.places && known.has_ended == now.has_ended && known.how == now.how &&
       known.reference == now.reference)
     return known;
   known = std::move(now);

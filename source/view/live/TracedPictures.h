@@ -99,7 +99,7 @@ class TracedPictures {
   /// False colors of the images as they are now. Made once for all that looks at them.
   struct FalseColors {
     std::uint64_t number = 0;  // of the job, and how far it was
-    int samples = -1, rows = -1, stride = -1;
+    int samples = -1, rows = -1, places = -1;
     bool has_ended = false;
     Comparing how = Comparing::no;
     std::shared_ptr<const R2::Image> reference, image;  // the latter null where both cannot be compared

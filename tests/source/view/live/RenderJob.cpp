@@ -59,7 +59,7 @@ struct Case {
   std::string scene, mode = "whitted";
   int samples = 1;
   std::string filter = "box";
-  int width = 37, height = 23, first_stride = 8;
+  int width = 37, height = 23, first_places = 1;
   std::string accelerator = "auto";
 
   RenderSettings Settings() const {
@@ -72,7 +72,7 @@ struct Case {
   }
   std::string Name() const {
     return scene + " " + mode + " " + std::to_string(samples) + " " + filter + " " + std::to_string(width) + "x" +
-           std::to_string(height) + " stride " + std::to_string(first_stride) + " " + accelerator;
+           std::to_string(height) + " first " + std::to_string(first_places) + " " + accelerator;
   }
 };
 
@@ -86,14 +86,14 @@ std::vector<Case> Cases() {
     for (const int samples : {1, 3})
       for (const std::string filter : {"box", "gaussian"}) cases.push_back({"hello", mode, samples, filter});
   // This accelerator remembers most, so that what a pixel costs depends on those before it.
-  cases.push_back({"hello", "heat", 2, "box", 37, 23, 8, "graph"});
-  cases.push_back({"hello", "heat", 1, "lanczos", 37, 23, 8, "graph"});
+  cases.push_back({"hello", "heat", 2, "box", 37, 23, 1, "graph"});
+  cases.push_back({"hello", "heat", 1, "lanczos", 37, 23, 1, "graph"});
   // Nothing moves in pictures of one sample, but lenses and motion take other kernels.
   cases.push_back({"lens", "whitted", 2, "box"});
   cases.push_back({"motion", "path", 2, "mitchell"});
   cases.push_back({"empty", "whitted", 2, "gaussian"});
-  for (const int stride : {1, 2, 5, 64, 1 << 20})
-    for (const int height : {1, 40}) cases.push_back({"hello", "whitted", 1, "box", 9, height, stride});
+  for (const int places : {1, 4, 16, 64})
+    for (const int height : {1, 40}) cases.push_back({"hello", "whitted", 1, "box", 9, height, places});
   return cases;
 }
 
@@ -106,14 +106,13 @@ TEST(RenderJob, GivesTheSameBitsAsRenderWhateverTheOrder) {
     const RenderResult whole = Render(scene->world, *scene->accelerator, c.Settings());
     for (const Order order : {Order::coarse_first, Order::rows}) {
       SCOPED_TRACE(c.Name() + (order == Order::rows ? " rows" : " coarse first"));
-      const RenderJob job(scene, c.Settings(), order, c.first_stride);
+      const RenderJob job(scene, c.Settings(), order, c.first_places);
       ASSERT_TRUE(Ends(job));
       ASSERT_TRUE(job.IsComplete()) << job.Failure();
       const RenderResult& result = *job.Result();
       EXPECT_TRUE(result.image == whole.image);
       EXPECT_TRUE(Shows(job.frame(), result.image));
       EXPECT_EQ(job.Samples(), c.samples);
-      EXPECT_EQ(job.PixelsBegunAfterCancel(), 0);
       EXPECT_EQ(result.pixels_done, whole.pixels_done);
       EXPECT_EQ(result.pixels_total, whole.pixels_total);
       EXPECT_EQ(result.samples.least, whole.samples.least);
@@ -127,7 +126,7 @@ TEST(RenderJob, GivesTheSameBitsAsRenderWhateverTheOrder) {
         EXPECT_EQ(job.RowsDone(), c.height);
         continue;
       }
-      EXPECT_EQ(job.Stride(), 1);
+      EXPECT_EQ(job.Places(), 64);
       EXPECT_EQ(result.error.has_value(), whole.error.has_value());
       if (result.error && whole.error) {
         EXPECT_EQ(result.error->estimate, whole.error->estimate);
@@ -168,8 +167,8 @@ TEST(RenderJob, PassesAskedForAreToldOf) {
 TEST(RenderJob, TracesEachPixelOfOneSampleOnce) {
   const auto scene = Loaded("hello");
   for (const int width : {1, 37, 64})
-    for (const int stride : {1, 8, 64}) {
-      const RenderJob job(scene, Sized(width, 23), Order::coarse_first, stride);
+    for (const int places : {1, 16, 64}) {
+      const RenderJob job(scene, Sized(width, 23), Order::coarse_first, places);
       ASSERT_TRUE(Ends(job));
       ASSERT_TRUE(job.IsComplete());
       EXPECT_EQ(job.Result()->rays[RayKind::camera].rays, static_cast<std::uint64_t>(23 * width));
@@ -177,30 +176,27 @@ TEST(RenderJob, TracesEachPixelOfOneSampleOnce) {
     }
 }
 
-// Without it the preview would be full of holes: each pixel shows the nearest traced one to its lower left.
-TEST(RenderJob, APassThatIsWholeFillsThePictureWithSquares) {
-  const int width = 37, height = 23;
-  RenderSettings settings = Sized(width, height);
+// Without it the live image would be full of holes: the pixels that lack a sample are filled as those of an image that
+// is subsampled.
+TEST(RenderJob, AWholeLookShowsTheImageOfItsPlaces) {
+  RenderSettings settings = Sized(37, 23);
   settings.threads = 1;
   settings.mode = RenderMode::depth;
-  const R2::Image whole = [&] {
-    const auto scene = Loaded("area_light");
-    return Render(scene->world, *scene->accelerator, settings).image;
-  }();
-  for (const int stride : {8, 4, 2}) {
-    const std::int64_t pixels =
-        static_cast<std::int64_t>((width + stride - 1) / stride) * ((height + stride - 1) / stride);
-    const Gated gated(pixels);
-    RenderJob job(gated.scene, settings, Order::coarse_first, 8);
-    while (job.Stride() != stride || gated.gate->Waiting() == 0) std::this_thread::yield();
-    int wrong = 0;
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        wrong += !(job.frame().At(x, y) == whole.At(x / stride * stride, y / stride * stride));
-    EXPECT_EQ(wrong, 0) << stride;
-    job.Cancel();
-    gated.gate->Open(1 << 20);
+  const auto scene = Loaded("area_light");
+  const Gated gated(0);
+  RenderJob job(gated.scene, settings, Order::coarse_first, 1);
+  std::int64_t opened = 0;
+  for (const int places : {1, 4, 16}) {
+    RenderSettings subsampled = settings;
+    subsampled.places = places;
+    const RenderResult whole = Render(scene->world, *scene->accelerator, subsampled);
+    gated.gate->Open(whole.pixels_done - opened);
+    opened = whole.pixels_done;
+    while (job.Places() != places || gated.gate->Waiting() == 0) std::this_thread::yield();
+    EXPECT_TRUE(Shows(job.frame(), whole.image)) << places;
   }
+  job.Cancel();
+  gated.gate->Open(1 << 20);
 }
 
 // What is drawn of a picture under way is the picture, not a guess at it; and what is not yet traced is black.
@@ -381,7 +377,7 @@ TEST(RenderJob, FinishesAndShowsEachPassBeforeTheNext) {
   settings.samples = 8;
   const auto scene = Loaded("area_light");
   const Gated gated(0);
-  RenderJob job(gated.scene, settings, Order::coarse_first, 8);
+  RenderJob job(gated.scene, settings, Order::coarse_first);
   RenderSettings replayed = settings;
   replayed.replay = Replay{};
   replayed.replay->planned_samples = 8;
@@ -406,8 +402,8 @@ TEST(RenderJob, CostsOfManySamplesAreShownPixelByPixelBeforehand) {
   settings.mode = RenderMode::rays;
   settings.samples = 4;
   const Gated gated(0);
-  RenderJob job(gated.scene, settings, Order::coarse_first, 8);
-  while (job.Stride() != 1 && !job.HasEnded())
+  RenderJob job(gated.scene, settings, Order::coarse_first);
+  while (job.Samples() < 1 && !job.HasEnded())
     if (gated.gate->IsShut()) gated.gate->Open(1);
   EXPECT_FALSE(job.HasEnded()) << "further samples wait at the gate";
   job.Cancel();
@@ -426,7 +422,6 @@ TEST(RenderJob, CancelReturnsWhilePixelsAreStillBegun) {
     ASSERT_TRUE(Ends(job));
     EXPECT_FALSE(job.IsComplete());
     EXPECT_EQ(job.Failure(), "");
-    EXPECT_EQ(job.PixelsBegunAfterCancel(), 0);
     // Each of two threads may finish the batch it had begun.
     EXPECT_LE(job.Rays(), 100u + 64 * 64);
   }
@@ -445,7 +440,6 @@ TEST(RenderJob, LeavesNoPixelBegunAfterCancelToTheThreads) {
     ASSERT_TRUE(Ends(job));
     // 100 went through, and each thread had begun a batch of 16.
     EXPECT_LE(job.Rays(), 100u + 16u * static_cast<unsigned>(threads));
-    EXPECT_EQ(job.PixelsBegunAfterCancel(), 0);
   }
 }
 
@@ -517,7 +511,7 @@ TEST(RenderJob, RandomRestartsLeaveEveryFinishedImageRight) {
     settings.threads = 1 + below(3);
     settings.samples = 1 + below(3);
     const Order order = below(4) == 0 ? Order::rows : Order::coarse_first;
-    const RenderJob& job = jobs.Start(scene, settings, order, 1 << below(6));
+    const RenderJob& job = jobs.Start(scene, settings, order, 1 << 2 * below(4));
     if (below(3) == 0) {
       ASSERT_TRUE(Ends(job));
     } else {
@@ -529,7 +523,6 @@ TEST(RenderJob, RandomRestartsLeaveEveryFinishedImageRight) {
       wrong += !(job.Result()->image == fresh) || !Shows(job.frame(), fresh);
     }
     ASSERT_EQ(job.Failure(), "");
-    ASSERT_EQ(job.PixelsBegunAfterCancel(), 0);
   }
   EXPECT_EQ(wrong, 0) << "of " << finished;
   EXPECT_GE(finished, times / 4);
@@ -560,23 +553,6 @@ TEST(JobQueue, ANewJobDoesNotWaitForOldOnes) {
   EXPECT_EQ(jobs.Current(), &job);
   jobs.Abandon();
   EXPECT_EQ(jobs.Current(), nullptr);
-}
-
-TEST(RenderJob, TheFirstPassIsAsFineAsFitsItsTime) {
-  EXPECT_EQ(FirstStride(512 * 512, 0, 0.04), 8);
-  EXPECT_EQ(FirstStride(512 * 512, std::nan(""), 0.04), 8);
-  EXPECT_EQ(FirstStride(512 * 512, 1e9, 0.04), 1);
-  EXPECT_EQ(FirstStride(512 * 512, 1, 0.04), 64);
-  for (double rate = 3e3; rate < 1e8; rate *= 1.7) {
-    const int stride = FirstStride(512 * 512, rate, 0.04);
-    const auto pixels = [](int s) { return 512.0 * 512 / (s * s); };
-    if (stride < 64) {
-      EXPECT_LE(pixels(stride), 0.04 * rate) << rate;
-    }
-    if (stride > 1) {
-      EXPECT_GT(pixels(stride / 2), 0.04 * rate) << rate;
-    }
-  }
 }
 
 }  // namespace

@@ -242,7 +242,7 @@ TEST_F(ViewerTest, ALiveImageStaysTracedInMotion) {
   const R2::Image whole = Rendered(viewer_->Pictures().Live()->Settings());
   EXPECT_EQ(R2::PixelsBeyond(*viewer_->Pictures().Current(), whole, 0), 0) << "in the end it is of the view at rest";
   Do("resize 80 60");
-  EXPECT_FALSE(viewer_->Show().picture && viewer_->Pictures().Live()->Stride() == 0) << "no other size is shown";
+  EXPECT_FALSE(viewer_->Show().picture && viewer_->Pictures().Live()->Places() == 0) << "no other size is shown";
 }
 
 TEST_F(ViewerTest, IsNotBusyWhereNothingIsRendered) {
