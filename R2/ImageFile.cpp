@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <new>
 
-#include "R2/LooksLike.h"
 #include "R2/image_files/formats.h"
 
 namespace R2 {
@@ -23,9 +22,7 @@ const ImageFormat& FormatOfContent(std::span<const unsigned char> bytes) {
     known += format.name;
   }
   if (bytes.empty()) throw ImageError("the image file is empty");
-  const std::string look = LooksLike(bytes);
-  throw ImageError("unknown image format" + (look.empty() ? "" : ": the file looks like " + look) +
-                   "; supported: " + known);
+  throw ImageError("unknown image format; supported: " + known);
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ MeshFile Assets::ReadMesh(const FoundFile& file, const Shading& shading) {
   const MeshFormat* format = MeshFormatForName(file.shown);
   if (!format)
     throw FileError{"cannot read " + QuotedPath(file.shown) + " as a mesh", "supported: " + MeshExtensions()};
-  MeshFile read = ReadMeshFile(*format, {file.shown, Read(file)}, report_);
+  MeshFile read = format->read({file.shown, Read(file)}, report_);
   using enum Shading::Normals;
   const bool takes_groups = shading.normals == wanted || shading.normals == of_file_or_groups;
   if (shading.normals == by_angle) SmoothByAngle(read.data, shading.degrees);

@@ -10,7 +10,7 @@
 #include "source/parse/ReadFile.h"
 #include "source/parse/Text.h"
 #include "source/text/LowerCase.h"
-#include "source/text/SimilarFile.h"
+#include "source/text/Suggestion.h"
 
 namespace ray {
 namespace fs = std::filesystem;
@@ -53,6 +53,25 @@ std::vector<std::string> PlacesOf(const std::string& foreign) {
   return places;
 }
 
+/// Returns the nearest name of a regular file in the folder, or an empty text. Files with the extension `unlike` count
+/// only if the missing one has it as well, since a scene is no texture.
+std::string SimilarFile(const fs::path& folder, const fs::path& name, const std::string& unlike) {
+  constexpr int most_listed = 10'000;
+  std::vector<std::string> names;
+  std::error_code error;
+  fs::directory_iterator entry(folder.empty() ? "." : folder, error);
+  for (int i = 0; !error && entry != fs::directory_iterator() && i < most_listed; entry.increment(error), ++i) {
+    const std::string extension = LowerCase(entry->path().extension().string());
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored) && (extension != unlike || LowerCase(name.extension().string()) == unlike))
+      names.push_back(entry->path().filename().string());
+  }
+  std::ranges::sort(names);
+  const std::vector<std::string_view> choices(names.begin(), names.end());
+  const std::string_view nearest = Nearest(name.filename().string(), choices);
+  return nearest.empty() ? "" : (name.parent_path() / nearest).string();
+}
+
 /// A hint, or none.
 std::string Meaning(const std::string& file) { return file.empty() ? "" : "did you mean " + Quoted(file) + "?"; }
 
@@ -79,8 +98,8 @@ FoundFile Files::Top() const {
   if (error && fs::exists(top_, ignored)) return {top_, top_};  // a pipe, which has no path: Read says so
   if (error == std::errc::no_such_file_or_directory) {
     const bool lacks_extension = fs::exists(top_ + ".scn", error);
-    const auto may_list = [](const fs::path&) { return true; };  // the user named it
-    throw FileError{"no such file", Meaning(lacks_extension ? top_ + ".scn" : SimilarFile({}, top_, {}, may_list))};
+    const fs::path folder = fs::path(top_).parent_path();
+    throw FileError{"no such file", Meaning(lacks_extension ? top_ + ".scn" : SimilarFile(folder, top_, {}))};
   }
   if (error) throw FileError{"cannot be opened: " + error.message(), {}};
   return {top_, canonical.string()};
@@ -139,12 +158,12 @@ std::optional<FoundFile> Files::FindAt(const std::string& folder, const std::str
 /// Looks only where the file might have been read from.
 std::string Files::SimilarIn(std::span<const std::string> folders, const std::string& name) const {
   const std::string extension = LowerCase(fs::path(top_).extension().string());
-  const auto may_list = [&](const fs::path& folder) {
-    const auto canonical = CanonicalFolder(folder);
-    return canonical && IsAllowed(*canonical);
-  };
-  for (const std::string& folder : folders)
-    if (std::string similar = SimilarFile(folder, name, extension, may_list); !similar.empty()) return similar;
+  const fs::path wanted(WithSlashes(name));
+  for (const std::string& folder : folders) {
+    const auto place = CanonicalFolder(folder / wanted.parent_path());
+    if (!place || !IsAllowed(*place)) continue;
+    if (std::string similar = SimilarFile(*place, wanted, extension); !similar.empty()) return similar;
+  }
   return {};
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "source/app/Status.h"
+#include "source/app/manual/Help.h"
 #include "source/app/options/FileNames.h"
-#include "source/app/options/ForeignOption.h"
 #include "source/app/options/OptionTable.h"
 #include "source/text/LookAlike.h"
 #include "source/text/Number.h"
@@ -16,10 +16,14 @@
 namespace ray {
 namespace {
 
-/// "; -crop is an option of raypro", or the option that was meant.
-std::string HintAt(const Program& program, const std::string& word) {
-  if (std::string hint = ForeignHint(program, word); !hint.empty()) return hint;
-  const std::string name = SplitOption(word).name;
+/// Returns "; -crop is an option of raypro", or names what was meant.
+std::string HintAt(const Program& program, const std::string& name) {
+  const std::string without_digits = name.substr(0, name.find_last_not_of("0123456789") + 1);  // -spp4
+  for (const OptionKind& option : OptionTable(program))
+    for (const std::string elsewhere : option.facts.elsewhere)
+      if (elsewhere == name || elsewhere == without_digits) return "; did you mean '-" + std::string(option.name) + "'?";
+  for (const char* names_file : {"o", "out", "outfile", "output", "f", "file", "i", "in", "input", "scene"})
+    if (name == names_file) return "; files need no option: " + Usage(program);
   for (const Program* other : {&Program::raypro, &Program::rayview})
     if (const OptionKind* option = FindOption(*other, name))
       return "; -" + std::string(option->name) + " is an option of " + other->name;
@@ -31,10 +35,7 @@ std::string HintAt(const Program& program, const std::string& word) {
 const OptionKind& Known(const Program& program, const std::string& word) {
   const std::string name = SplitOption(word).name;
   if (const OptionKind* option = FindOption(program, name)) return *option;
-  // A phrase says what to do; a guess may be wrong, and then the help has the answer.
-  if (const std::string answer = ForeignHint(program, word); !answer.empty() && !answer.starts_with("; did you mean"))
-    throw UsageError("unknown option " + Quoted(word) + answer);
-  throw UsageError("unknown option " + Quoted(word) + HintAt(program, word) + " (" + NameOf(program) +
+  throw UsageError("unknown option " + Quoted(word) + HintAt(program, name) + " (" + NameOf(program) +
                    " -help lists them all)");
 }
 
@@ -158,7 +159,6 @@ std::unique_ptr<Options> ReadWords(const Program& program, std::span<const std::
   RefuseLookAlikes(program, words);
   auto options = program.defaults();
   std::set<const OptionKind*> seen;
-  const bool renders = program.commands().empty();
   bool only_names = false;
   for (std::size_t i = 0; i < words.size();) {
     const std::string& word = words[i];

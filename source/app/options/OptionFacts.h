@@ -42,7 +42,7 @@ struct Needs : std::vector<OptionNeed> {
 struct Excludes : std::vector<const char*> {
   using vector::vector;
 };
-/// The names that other renderers give to this option; a plus begins one of POV-Ray's. They are errors that name ours.
+/// The names that other renderers give to this option. They are errors that name ours.
 struct ElsewhereCalled : std::vector<const char*> {
   using vector::vector;
 };

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "source/app/options/ForeignOption.h"
 #include "source/app/options/OptionTable.h"
 #include "source/text/Words.h"
 
@@ -16,7 +15,7 @@ bool MakesTheImage(const OptionKind& option) {
 }
 
 /// A file's name that is not taken for an option.
-std::string AsName(const std::string& name) { return LooksLikeOption(name) || IsOfPovRay(name) ? "./" + name : name; }
+std::string AsName(const std::string& name) { return LooksLikeOption(name) ? "./" + name : name; }
 
 }  // namespace
 

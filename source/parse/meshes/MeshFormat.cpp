@@ -3,7 +3,6 @@
 #include <array>
 #include <filesystem>
 
-#include "source/text/FileLook.h"
 #include "source/text/LowerCase.h"
 
 namespace ray {
@@ -29,20 +28,6 @@ const MeshFormat* MeshFormatForName(const std::string& name) {
   for (const MeshFormat* format : formats)
     if (extension == format->extension) return format;
   return nullptr;
-}
-
-MeshFile ReadMeshFile(const MeshFormat& format, const Text& file, Report& report) {
-  const FileLook look = LookOf(file.bytes);
-  const bool looks_right = !look.what || std::string_view(look.hint).ends_with(format.extension);
-  if (looks_right) return format.read(file, report);
-  try {
-    MeshFile read = format.read(file, report);
-    if (!read.data.triangles.empty()) return read;
-  } catch (const SceneError&) {
-    // What it looks like says more.
-  }
-  throw ErrorIn(file.name, std::string("this looks like ") + look.what + " rather than " + format.extension + " data",
-                look.hint);
 }
 
 std::string MeshExtensions() {

@@ -20,9 +20,6 @@ struct MeshFormat {
 std::span<const MeshFormat* const> MeshFormats();
 /// The format of an extension, in any letter case; null if there is none.
 const MeshFormat* MeshFormatForName(const std::string& name);
-/// Reads a mesh in this format. If that fails or finds no face, and the file looks like another format, the error says
-/// so.
-MeshFile ReadMeshFile(const MeshFormat& format, const Text& file, Report& report);
 /// ".off, .ray, ..."
 std::string MeshExtensions();
 

@@ -64,6 +64,7 @@ R3::MeshData ReadBinary(const Text& file, Report& report) {
   const std::size_t surplus = size - end;
   if (surplus > 0 && surplus % triangle_bytes == 0)
     Fail(file, declared + ", but the file has " + std::to_string(surplus / triangle_bytes) + " more");
+  if (surplus > 0 && triangles == 0) Fail(file, declared + ", but " + Counted(surplus, "byte") + " follow");
   if (surplus > 0)
     report.Warn(Escaped(file.name), Counted(surplus, "byte") + " behind the last face ignored; " + declared);
   return ReadTriangles(file, triangles);

@@ -46,84 +46,6 @@ constexpr std::array foreign{
     Foreign{"particle_spring", "particles are not supported"},
 };
 
-constexpr std::string_view shapes_of_triangles = "use a tri for each triangle, or a mesh with a file";
-constexpr std::string_view kinds_of_lights =
-    "lights are area_light, dir_light, point_light, sphere_light and spot_light";
-constexpr std::string_view with_matrix = "use 'begin mat_id', a 4x4 matrix in rows, shapes, 'end'";
-constexpr std::string_view behind_begin =
-    "translate, rotate, scale and look_at stand behind begin: 'begin mat_id rotate 45 0 1 0', shapes, 'end'";
-constexpr std::string_view behind_camera = "use 'camera look_at ex ey ez tx ty tz ux uy uz fov', in degrees";
-constexpr std::string_view with_material = "use 'material', and its number behind the word of a shape";
-constexpr std::string_view size_setting = "use 'set width n' and 'set height n', or the options";
-constexpr std::string_view of_pbrt = "this looks like a scene of pbrt; raypro -list scenes lists what can be read";
-
-/// Words of other programs' scenes, with our command or a phrase.
-constexpr std::array elsewhere{
-    Foreign{"triangle", "tri"},
-    Foreign{"rectangle", shapes_of_triangles},
-    Foreign{"square", shapes_of_triangles},
-    Foreign{"ball", "sphere"},
-    Foreign{"cube", "box"},
-    Foreign{"disk", "use a flat cylinder"},
-    Foreign{"ellipsoid", "use a sphere inside 'begin ... end' with a scale"},
-    Foreign{"floor", "plane"},
-    Foreign{"ground", "plane"},
-    Foreign{"model", "mesh"},
-    Foreign{"obj", "mesh"},
-    Foreign{"object", "mesh"},
-    Foreign{"trimesh", "mesh"},
-    Foreign{"emitter", kinds_of_lights},
-    Foreign{"lamp", kinds_of_lights},
-    Foreign{"light", kinds_of_lights},
-    Foreign{"light_source", kinds_of_lights},
-    Foreign{"lightsource", kinds_of_lights},
-    Foreign{"ambient_light", "ambient"},
-    Foreign{"directional_light", "dir_light"},
-    Foreign{"distant_light", "dir_light"},
-    Foreign{"sun", "dir_light"},
-    Foreign{"matrix", with_matrix},
-    Foreign{"rotate", behind_begin},
-    Foreign{"transform", with_matrix},
-    Foreign{"scale", behind_begin},
-    Foreign{"translate", behind_begin},
-    Foreign{"color", with_material},
-    Foreign{"colour", with_material},
-    Foreign{"diffuse", with_material},
-    Foreign{"mtl", with_material},
-    Foreign{"pigment", with_material},
-    Foreign{"shininess", with_material},
-    Foreign{"specular", with_material},
-    Foreign{"texture", "a texture is the last word of 'material'"},
-    Foreign{"eye", "camera"},
-    Foreign{"fov", "the field of view is the half angle of 'camera', in radians"},
-    Foreign{"lookat", behind_camera},
-    Foreign{"look_at", behind_camera},
-    Foreign{"perspective", "camera"},
-    Foreign{"film", size_setting},
-    Foreign{"image", size_setting},
-    Foreign{"resolution", size_setting},
-    Foreign{"size", size_setting},
-    Foreign{"depth", "use 'set max_depth n', or the option"},
-    Foreign{"max_depth", "use 'set max_depth n', or the option"},
-    Foreign{"maxdepth", "use 'set max_depth n', or the option"},
-    Foreign{"samples", "use 'set samples n', or the option"},
-    Foreign{"spp", "use 'set samples n', or the option"},
-    Foreign{"output", "the image is named on the command line"},
-    Foreign{"envmap", "environment"},
-    Foreign{"sky", "environment"},
-    Foreign{"skybox", "environment"},
-    Foreign{"import", "include"},
-    Foreign{"AttributeBegin", of_pbrt},
-    Foreign{"Film", of_pbrt},
-    Foreign{"Integrator", of_pbrt},
-    Foreign{"LookAt", of_pbrt},
-    Foreign{"Sampler", of_pbrt},
-    Foreign{"Shape", of_pbrt},
-    Foreign{"WorldBegin", of_pbrt},
-};
-
-constexpr std::array comments_elsewhere{"//", "/*", ";", "%", "--"};
-
 }  // namespace
 
 std::span<const Command> Commands() {
@@ -150,15 +72,6 @@ std::span<const std::string_view> CommandNames() {
 std::string_view ForeignHint(std::string_view name) {
   const auto found = std::find_if(foreign.begin(), foreign.end(), [&](const Foreign& f) { return f.name == name; });
   return found == foreign.end() ? std::string_view{} : found->hint;
-}
-
-std::string HintForOtherPrograms(std::string_view word) {
-  if (std::ranges::any_of(comments_elsewhere, [&](std::string_view begin) { return word.starts_with(begin); }))
-    return "a comment begins with #";
-  const auto found = std::ranges::find(elsewhere, word, &Foreign::name);
-  if (found == elsewhere.end()) return {};
-  const Command* const ours = FindCommand(found->hint);
-  return ours ? "did you mean '" + ours->name + "'? usage: " + ours->usage : std::string(found->hint);
 }
 
 std::string SurplusHint(const Command& command) {

@@ -31,9 +31,6 @@ std::span<const std::string_view> CommandNames();
 std::string SurplusHint(const Command& command);
 /// What to write instead of a command of another dialect or a later assignment; empty for any other word.
 std::string_view ForeignHint(std::string_view name);
-/// What to write instead of a word of another program's scenes, or of a comment of another language; empty for any
-/// other.
-std::string HintForOtherPrograms(std::string_view word);
 
 Command ShapeCommand(const R3::ShapeKind& kind);
 Command LightCommand(const LightKind& kind);

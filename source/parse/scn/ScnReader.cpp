@@ -167,14 +167,12 @@ void ScnReader::UnknownCommand(const Token& word) {
     Error(ErrorAt(*file.text, word, "unexpected number " + Quoted(word.text), SurplusHint(*file.last_command)));
   } else if (const auto hint = ForeignHint(word.text); !hint.empty()) {
     Error(ErrorAt(*file.text, word, Quoted(word.text) + " is a command of another .scn dialect", std::string(hint)));
-    file.tokens.SkipLine(word.line);  // "particle_sink sphere ..." is no sphere
-  } else if (std::string ours = HintForOtherPrograms(word.text); !ours.empty()) {
-    Error(ErrorAt(*file.text, word, "unknown command " + Quoted(word.text), std::move(ours)));
-    file.tokens.SkipLine(word.line);
   } else {
     Error(ErrorAt(*file.text, word, "unknown command " + Quoted(word.text),
-                  Suggestion(word.text, CommandNames(), "commands")));
+                  word.text.starts_with("//") ? "a comment begins with #"
+                                              : Suggestion(word.text, CommandNames(), "commands")));
   }
+  if (!is_number) file.tokens.SkipLine(word.line);  // "particle_sink sphere ..." is no sphere
   while (file.tokens.Peek() && !BeginsStatement(*file.tokens.Peek())) file.tokens.Next();
 }
 

@@ -224,6 +224,36 @@ TEST(Files, AnUnreadableSceneIsAnError) {
   EXPECT_TRUE(Contains(ReportOf(folder, "scene.scn"), "cannot open"));
 }
 
+TEST(Files, AMissingFileIsNamedWithTheNearestOne) {
+  const Folder folder;
+  for (const char* file : {"cube.off", "sub/part.obj", "Wood Floor.png", "scene.scn"}) folder.Write(file, "");
+  const Files files(folder / "scene.scn", {});
+  const auto hint = [&](const std::string& name) {
+    return ErrorOf([&] { ReadNamed(files, name, folder / "scene.scn"); });
+  };
+  const auto meant = [](const std::string& name, const std::string& file) {
+    return "no such file: '" + name + "'; did you mean '" + file + "'?";
+  };
+  EXPECT_EQ(hint("CUBE.OFF"), meant("CUBE.OFF", "cube.off"));
+  EXPECT_EQ(hint("cueb.off"), meant("cueb.off", "cube.off"));
+  EXPECT_EQ(hint("cube.obj"), meant("cube.obj", "cube.off"));
+  EXPECT_EQ(hint("sub/prat.obj"), meant("sub/prat.obj", "sub/part.obj"));
+  EXPECT_EQ(hint("sub\\part.obj"), meant("sub\\part.obj", "sub/part.obj"));
+  EXPECT_EQ(hint("wood floor.png"), meant("wood floor.png", "Wood Floor.png"));
+  EXPECT_EQ(hint("scen.scn"), meant("scen.scn", "scene.scn"));
+  EXPECT_EQ(hint("scene.png"), "no such file: 'scene.png'") << "a scene is no texture";
+  EXPECT_EQ(hint("none/at/all"), "no such file: 'none/at/all'");
+  EXPECT_EQ(ReportOf(folder, "scenes.scn"), "scenes.scn: error: no such file; did you mean 'scene.scn'?");
+}
+
+// A scene may come from a stranger: it learns nothing of folders that it may not read.
+TEST(Files, HintsComeOnlyFromFoldersThatMayBeRead) {
+  const Folder outside, folder;
+  outside.Write("secret.off", "");
+  folder.Write("scene.scn", "mesh -1 " + (outside / "SECRET.off").string() + "\n");
+  EXPECT_FALSE(Contains(ReportOf(folder, "scene.scn"), "did you mean"));
+}
+
 // In a deep folder, what was cut off was the very name that the author looks for.
 TEST(Files, ErrorsNameTheWholePathHoweverLong) {
   const Folder folder;

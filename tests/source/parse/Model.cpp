@@ -165,7 +165,7 @@ TEST(Models, WhatTheirLibrariesLackIsTold) {
   folder.Write("a.obj", "mtllib b.mtl a.mtl\n" + triangle + "usemtl red\nf 1 2 3\n");
   EXPECT_EQ(WarningsOf(folder, "a.obj"),
             (std::vector<std::string>{
-                "a.obj:1:8: warning: no such file: 'b.mtl'; its materials are gray",
+                "a.obj:1:8: warning: no such file: 'b.mtl'; its materials are gray; did you mean 'a.mtl'?",
                 "a.mtl:3:8: warning: no such file: 'my wod.png'; the material is left without it; did you mean "
                 "'my wood.png'?"}));
   folder.Write("b.obj", "mtllib a.mtl\n" + triangle + "usemtl rde\nf 1 2 3\n");

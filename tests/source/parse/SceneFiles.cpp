@@ -66,13 +66,4 @@ TEST(SceneFiles, WhatIsOddAboutAnImageIsWarnedOfOnce) {
   EXPECT_EQ(std::ranges::count_if(warnings, is_of_leaf), 1) << (warnings.empty() ? "" : warnings[0]);
 }
 
-// Somebody saved the page that shows an image instead of the image.
-TEST(SceneFiles, NonImageTexturesAreCalledWhatTheyLookLike) {
-  const ray::Folder folder;
-  folder.Write("leaf.png", "<!DOCTYPE html><html><body>Sign in to see leaf.png</body></html>");
-  folder.Write("in.scn", "material 1 1 1 1 1 1 0 0 0 0 0 0 0 0 0 1 1 leaf.png\nsphere 0 0 0 0 1\n");
-  const std::string report = ray::ReportOf(folder, "in.scn");
-  EXPECT_NE(report.find("the file looks like a web page (HTML)"), std::string::npos) << report;
-}
-
 }  // namespace

@@ -303,16 +303,11 @@ TEST(CommandLine, WordsOfOtherProgramsAreAnsweredWithOurs) {
        std::initializer_list<std::pair<const char*, const char*>>{{"-spp", "-samples"},
                                                                   {"--spp=4", "-samples"},
                                                                   {"-w", "-width"},
-                                                                  {"-w512", "-width 512"},
-                                                                  {"-j8", "-threads 8"},
-                                                                  {"+W512", "-width 512"},
-                                                                  {"+WT4", "-threads 4"},
                                                                   {"-integrator", "-mode"},
                                                                   {"-hlep", "-help"},
                                                                   {"-bounces", "-max_depth"}})
     EXPECT_EQ(ErrorBeside({typed, "4"}),
               "unknown option '" + std::string(typed) + "'; did you mean '" + meant + "'?" + all);
-  EXPECT_EQ(ErrorBeside({"-size", "512"}), "unknown option '-size'; use -width and -height");
   EXPECT_EQ(ErrorBeside({"-o", "x.png"}, Program::rayview),
             "unknown option '-o'; did you mean '-image'? (rayview -help lists them all)");
 }
@@ -347,13 +342,6 @@ TEST(CommandLine, HWithANumberWasToBeAHeight) {
   EXPECT_EQ(ErrorBeside({"-h", "512"}), "'-h 512': -h is -help; did you mean '-height 512'?");
   EXPECT_EQ(ErrorBeside({"-h=512"}), "'-h 512': -h is -help; did you mean '-height 512'?");
   EXPECT_TRUE(Parsed({"in.scn", "out.png", "-h"}).Asks("help"));
-}
-
-// "./+name" is a file.
-TEST(CommandLine, APlusBeginsAnOptionOfPovRay) {
-  EXPECT_TRUE(Has(ErrorOf({"+Iscene.pov", "+Oout.png"}), "unknown option '+Iscene.pov'; the scene needs no option"));
-  EXPECT_EQ(Parsed({"./+a.scn", "+1.png"}).files.picture, "+1.png");
-  EXPECT_EQ(Parsed({"--", "+a.scn", "+b.png"}).files.scene, "+a.scn");
 }
 
 TEST(CommandLine, TooFewArgumentsAreCounted) {
