@@ -32,7 +32,7 @@ std::vector<R2::Point> QuadUvs();
 /// happens in concave polygons only: then ears are cut off. Judged in the coordinate plane that the polygon faces most,
 /// so it need not be flat.
 ///   returns   polygon.size() - 2 triangles; nothing where it would take more than linear time, as some polygons of
-///             more than max_concave_corners do that wind through one another
+///             more than 5,000 corners do that wind through one another
 ///   source    Newell's normal: Sutherland, Sproull, Schumacker, A characterization of ten hidden-surface algorithms
 ///             (1974); ears: Meisters, Polygons have ears (1975), with the bookkeeping of Eberly, Triangulation by ear
 ///             clipping (2002). A polygon that crosses itself may run out of ears; any corner is cut off then.

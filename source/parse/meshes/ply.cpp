@@ -10,7 +10,7 @@
 #include "source/parse/meshes/Corners.h"
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
-#include "source/parse/meshes/PlyRows.h"
+#include "source/parse/meshes/PlyFile.h"
 #include "source/parse/meshes/VertexColors.h"
 #include "source/text/NumberText.h"
 
@@ -20,23 +20,22 @@ namespace {
 constexpr const char* texcoord = "texcoord";
 constexpr std::array<double, 3> unusable_color{-1, -1, -1};  // any with a channel that is negative or NaN
 
-/// The vertices, faces and triangle strips of a file of any scalar types; all other elements and properties are passed
-/// over.
+/// Makes a mesh of the vertices, faces and triangle strips of a file. Skips all other elements and properties.
 class PlyReader {
  public:
-  explicit PlyReader(const Text& file)
-      : words_(file, Tokenizer::Comments::none), header_(ReadPlyHeader(words_)), rows_(words_, header_) {
-    has_texcoords_ = std::ranges::any_of(header_.elements, [](const PlyElement& element) {
+  explicit PlyReader(const Text& file) : file_(file) {
+    has_texcoords_ = std::ranges::any_of(file_.Elements(), [](const PlyElement& element) {
       return element.name == "face" && element.Find(texcoord, true);
     });
   }
 
   MeshFile Read(Report& report) {
     try {
-      for (const PlyElement& element : header_.elements) ReadElement(element);
-      CheckEnd(report);
+      for (const PlyElement& element : file_.Elements()) ReadElement(element);
+      file_.CheckEnd(report);
     } catch (SceneError& error) {
-      if (error.hint.empty()) error.hint = rows_.Hint();
+      if (error.hint.empty() && file_.IsIrregular())
+        error.hint = "there are lines with more numbers than the header declares";
       throw;
     }
     mesh_.colors = colors_.Take(mesh_.positions.size());
@@ -44,14 +43,14 @@ class PlyReader {
     if (has_texcoords_) MakeVertices();
     faces_.AddVertices();
     MeshFile read{.data = std::move(mesh_), .has_8_bit_colors = has_8_bit_colors_ || colors_.WereBytes()};
-    for (const Token& name : header_.textures)
-      read.textures.push_back({std::string(name.text), Place(words_.Source().name, name.line, name.column)});
+    for (const Token& name : file_.Textures())
+      read.textures.push_back({std::string(name.text), Place(file_.Source().name, name.line, name.column)});
     return read;
   }
 
  private:
   void ReadElement(const PlyElement& element) {
-    CheckPromise(element);
+    file_.CheckLength(element);
     if (element.name == "vertex")
       ReadVertices(element);
     else if (element.name == "face")
@@ -62,38 +61,20 @@ class PlyReader {
       Skip(element);
   }
 
-  void CheckEnd(Report& report) {
-    if (rows_.Values().AtEnd()) return;
-    const std::string message = "the file has more data than the header declares";
-    if (rows_.IsIrregular()) words_.Fail(*words_.Peek(), message);
-    report.Warn(Escaped(words_.Source().name), message);
-  }
-
   void Warn(Report& report) const {
-    const Text& file = words_.Source();
+    const Text& file = file_.Source();
     faces_.Warn(file, report);
-    rows_.LongFaces().Warn(file, report, "face has ignored numbers behind those that the header declares",
-                           "faces have ignored numbers behind those that the header declares");
+    file_.Warn(report);
     WarnOfAbsent(absent_normals_, absent_uvs_, file, report);
     colors_.Warn(file, report);
     if (ignores_face_colors_)
       report.Warn(Escaped(file.name), "the colors of faces are ignored; those of vertices are used");
   }
 
-  void CheckPromise(const PlyElement& element) {
-    const PlyValues& values = rows_.Values();
-    std::size_t least = 0;
-    for (const PlyProperty& property : element.properties)
-      least += values.LeastBytes(property.count_type.value_or(property.type));
-    if (least == 0 || element.count <= (values.BytesLeft() + 1) / least) return;
-    words_.Fail(element.where, "the header declares " + std::to_string(element.count) + " elements, but only " +
-                                   BytesThatFollow(values.BytesLeft()));
-  }
-
   void ReadVertices(const PlyElement& element) {
-    if (!mesh_.positions.empty()) words_.Fail(element.where, "only one vertex element is supported");
+    if (!mesh_.positions.empty()) file_.FailAt(element.where, "only one vertex element is supported");
     const auto places = FindAll<3>(element, {"x", "y", "z"});
-    if (!places) words_.Fail(element.where, "the element vertex needs the properties x, y and z");
+    if (!places) file_.FailAt(element.where, "the element vertex needs the properties x, y and z");
     const auto normals = FindAll<3>(element, {"nx", "ny", "nz"});
     auto uvs = FindAll<2>(element, {"s", "t"});
     if (!uvs) uvs = FindAll<2>(element, {"u", "v"});
@@ -105,7 +86,7 @@ class PlyReader {
     R1::ReserveOnHugePages(mesh_.positions, element.count);
     PlyRow row;
     for (std::size_t i = 0; i < element.count; ++i) {
-      rows_.Read(element, i, columns, row);
+      file_.Read(element, i, columns, row);
       const auto& n = row.numbers;
       mesh_.positions.push_back({n[(*places)[0]], n[(*places)[1]], n[(*places)[2]]});
       if (normals) AddNormal({n[(*normals)[0]], n[(*normals)[1]], n[(*normals)[2]]}, row.unusable);
@@ -125,10 +106,9 @@ class PlyReader {
                                 const PlyRow& row) {
     std::array<double, 3> channels{};
     for (std::size_t k = 0; k < 3; ++k) {
-      const PlyType type = element.properties[columns[k]].type;
-      const double greatest = type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 1;
-      channels[k] = row.numbers[columns[k]] / greatest;
-      has_8_bit_colors_ = has_8_bit_colors_ || type == PlyType::uint8;
+      const double white = element.properties[columns[k]].type->white;
+      channels[k] = row.numbers[columns[k]] / white;
+      has_8_bit_colors_ = has_8_bit_colors_ || white == 255;
     }
     return channels;
   }
@@ -153,15 +133,14 @@ class PlyReader {
     const std::size_t vertices = mesh_.positions.size();
     PlyRow row;
     std::vector<std::uint32_t> corners;
-    faces_.Reserve(element.count, rows_.Values().BytesLeft());
+    faces_.Reserve(element.count, file_.BytesLeft());
     for (std::size_t i = 0; i < element.count; ++i) {
-      const PlyPlace place{element.name, i};
-      rows_.Read(element, i, columns, row);
+      file_.Read(element, i, columns, row);
       corners.clear();
-      for (const double value : row.corners) corners.push_back(IndexOf(value, vertices, place));
+      for (const double value : row.corners) corners.push_back(IndexOf(value, vertices));
       if (shows_colors) Paint(corners, ColorOf(element, *colors, row), row.unusable);
-      if (corners.size() < 3 && rows_.IsIrregular()) rows_.Values().Fail(place, "has fewer than 3 corners");
-      AddFace(corners, row.uvs, place);
+      if (corners.size() < 3 && file_.IsIrregular()) file_.Fail("has fewer than 3 corners");
+      AddFace(corners, row.uvs);
     }
   }
 
@@ -194,7 +173,7 @@ class PlyReader {
     const PlyColumns columns{.corners = FindIndices(element)};
     PlyRow row;
     for (std::size_t i = 0; i < element.count; ++i) {
-      rows_.Read(element, i, columns, row);
+      file_.Read(element, i, columns, row);
       std::array<std::uint32_t, 3> last{};
       std::size_t length = 0;
       for (const double value : row.corners) {
@@ -202,38 +181,37 @@ class PlyReader {
           length = 0;
           continue;
         }
-        last = {last[1], last[2], IndexOf(value, mesh_.positions.size(), {element.name, i})};
-        if (++length >= 3) AddOfStrip(last, length % 2 == 0, {element.name, i});
+        last = {last[1], last[2], IndexOf(value, mesh_.positions.size())};
+        if (++length >= 3) AddOfStrip(last, length % 2 == 0);
       }
     }
   }
 
   // Strips repeat a vertex to turn a corner; those triangles are not meant to be seen.
-  void AddOfStrip(std::array<std::uint32_t, 3> t, bool is_turned, const PlyPlace& place) {
+  void AddOfStrip(std::array<std::uint32_t, 3> t, bool is_turned) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
     if (is_turned) std::swap(t[0], t[1]);
-    AddFace(t, {}, place);
+    AddFace(t, {});
   }
 
-  void AddFace(std::span<const std::uint32_t> places, std::span<const double> uvs, const PlyPlace& place) {
-    const auto names = has_texcoords_ ? AddCorners(places, uvs, place) : places;
-    if (const char* problem = faces_.Add(places, names, rows_.Values().Last())) rows_.Values().Fail(place, problem);
+  void AddFace(std::span<const std::uint32_t> places, std::span<const double> uvs) {
+    const auto names = has_texcoords_ ? AddCorners(places, uvs) : places;
+    if (const char* problem = faces_.Add(places, names, file_.Last())) file_.Fail(problem);
   }
 
   /// Gives the indices of the corners. A face may have texture coordinates of its own, as VCGlib writes them: two for
   /// each corner, or none.
-  std::span<const std::uint32_t> AddCorners(std::span<const std::uint32_t> places, std::span<const double> uvs,
-                                            const PlyPlace& place) {
+  std::span<const std::uint32_t> AddCorners(std::span<const std::uint32_t> places, std::span<const double> uvs) {
     if (!uvs.empty() && uvs.size() != 2 * places.size())
-      rows_.Values().Fail(place, "texcoord must have two numbers for each of the " + std::to_string(places.size()) +
-                                     " corners, got " + std::to_string(uvs.size()));
+      file_.Fail("texcoord must have two numbers for each of the " + std::to_string(places.size()) + " corners, got " +
+                 std::to_string(uvs.size()));
     names_.clear();
     for (std::size_t k = 0; k < places.size(); ++k) {
       names_.push_back(static_cast<std::uint32_t>(corners_.size()));
       corners_.push_back({places[k]});
       if (uvs.empty()) continue;
       corners_.back().uv = static_cast<std::uint32_t>(uvs_.size());
-      uvs_.push_back(Usable({uvs[2 * k], uvs[2 * k + 1]}, rows_.Values().Last()));
+      uvs_.push_back(Usable({uvs[2 * k], uvs[2 * k + 1]}, file_.Last()));
     }
     return names_;
   }
@@ -266,19 +244,19 @@ class PlyReader {
   void Skip(const PlyElement& element) {
     if (element.properties.empty()) return;  // its count is then only a number
     PlyRow row;
-    for (std::size_t i = 0; i < element.count; ++i) rows_.Read(element, i, {}, row);
+    for (std::size_t i = 0; i < element.count; ++i) file_.Read(element, i, {}, row);
   }
 
-  std::uint32_t IndexOf(double value, std::size_t known, const PlyPlace& place) {
+  std::uint32_t IndexOf(double value, std::size_t known) {
     if (!(value >= 0 && value < static_cast<double>(known) && value == std::floor(value)))
-      rows_.Values().Fail(place, "a corner must be an index below " + std::to_string(known) + ", got " + ToText(value));
+      file_.Fail("a corner must be an index below " + std::to_string(known) + ", got " + ToText(value));
     return static_cast<std::uint32_t>(value);
   }
 
   std::size_t FindIndices(const PlyElement& element) const {
     for (const char* name : {"vertex_indices", "vertex_index"})
       if (const auto found = element.Find(name, true)) return *found;
-    words_.Fail(element.where, Quoted(element.name) + " needs the property list vertex_indices");
+    file_.FailAt(element.where, Quoted(element.name) + " needs the property list vertex_indices");
   }
 
   template <std::size_t n>
@@ -293,9 +271,7 @@ class PlyReader {
     return found;
   }
 
-  MeshWords words_;
-  PlyHeader header_;
-  PlyRows rows_;
+  PlyFile file_;
   R3::MeshData mesh_;
   Faces faces_{mesh_};
   Tally absent_normals_, absent_uvs_;
