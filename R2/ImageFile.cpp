@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <new>
 
-#include "R2/image_files/formats.h"
+#include "R1/Kinds.h"
 
 namespace R2 {
 
@@ -28,10 +28,9 @@ const ImageFormat& FormatOfContent(std::span<const unsigned char> bytes) {
 }  // namespace
 
 std::span<const ImageFormat> ImageFormats() {
+#define IMAGE_FORMAT(name) *KIND(ImageFormat, name##_format),
   static const std::array formats{
-#define IMAGE_FORMAT(name) name##_format,
 #include "R2/image_formats.def"
-#undef IMAGE_FORMAT
   };
   return formats;
 }

@@ -3,26 +3,19 @@
 #include <array>
 #include <cassert>
 
+#include "R1/Kinds.h"
+
 namespace R3 {
 
-#define SHAPE(name) extern const ShapeKind name##_kind;
-#include "R3/shapes.def"
-#undef SHAPE
-
 std::span<const ShapeKind* const> ShapeKinds() {
+#define SHAPE(name) KIND(ShapeKind, name##_kind),
   static const std::array kinds{
-#define SHAPE(name) &name##_kind,
 #include "R3/shapes.def"
-#undef SHAPE
   };
   return kinds;
 }
 
-const ShapeKind* FindShapeKind(const std::string& name) {
-  for (const ShapeKind* kind : ShapeKinds())
-    if (name == kind->name) return kind;
-  return nullptr;
-}
+const ShapeKind* FindShapeKind(const std::string& name) { return R1::FindKind(ShapeKinds(), name); }
 
 std::unique_ptr<const Shape> MakeShape(const std::string& name, std::vector<double> arguments) {
   const ShapeKind* kind = FindShapeKind(name);

@@ -171,6 +171,6 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }  // namespace
 }  // namespace bmp
 
-const ImageFormat bmp_format{"bmp", {"bmp"}, bmp::Recognizes, bmp::ReadSize, bmp::Decode, bmp::Encode, false};
+extern const ImageFormat bmp_format{"bmp", {"bmp"}, bmp::Recognizes, bmp::ReadSize, bmp::Decode, bmp::Encode, false};
 
 }  // namespace R2

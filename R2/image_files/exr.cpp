@@ -397,7 +397,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 }  // namespace
 }  // namespace exr
 
-const ImageFormat exr_format{
+extern const ImageFormat exr_format{
     "exr", {"exr"},           exr::Recognizes,   exr::ReadSize,         exr::Decode,        exr::Encode,
     true,  exr::EncodeLayers, exr::ReadSettings, exr::ReadChannelNames, exr::DecodeChannels};
 

@@ -6,12 +6,8 @@
 
 #include "R2/ImageFile.h"
 
-/// What the kinds of image file share: where they are listed, sizes checked in one way, rows of 8-bit channels.
+/// What the kinds of image file share: the check of sizes, and rows of 8-bit channels.
 namespace R2 {
-
-#define IMAGE_FORMAT(name) extern const ImageFormat name##_format;
-#include "R2/image_formats.def"
-#undef IMAGE_FORMAT
 
 /// The size a header promises, once it is known to be at least 1 by 1 and at most max_pixels. Throws ImageError
 /// with the name of the kind otherwise.

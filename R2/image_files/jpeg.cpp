@@ -378,7 +378,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }  // namespace
 }  // namespace jpeg
 
-const ImageFormat jpeg_format{
+extern const ImageFormat jpeg_format{
     "jpeg",  {"jpg", "jpeg", "jpe"}, jpeg::Recognizes, jpeg::ReadSize, jpeg::Decode, jpeg::Encode, false,
     nullptr, jpeg::ReadSettings};
 

@@ -98,6 +98,6 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 }  // namespace
 }  // namespace pfm
 
-const ImageFormat pfm_format{"pfm", {"pfm"}, pfm::Recognizes, pfm::ReadSize, pfm::Decode, pfm::Encode, true};
+extern const ImageFormat pfm_format{"pfm", {"pfm"}, pfm::Recognizes, pfm::ReadSize, pfm::Decode, pfm::Encode, true};
 
 }  // namespace R2

@@ -378,7 +378,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }  // namespace
 }  // namespace png
 
-const ImageFormat png_format{"png",       {"png"}, png::Recognizes, png::ReadSize,    png::Decode,
+extern const ImageFormat png_format{"png",       {"png"}, png::Recognizes, png::ReadSize,    png::Decode,
                              png::Encode, false,   nullptr,         png::ReadSettings};
 
 }  // namespace R2

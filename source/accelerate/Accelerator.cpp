@@ -2,19 +2,15 @@
 
 #include <array>
 
+#include "R1/Kinds.h"
 #include "source/accelerate/NearestHit.h"
 
 namespace ray {
 
-#define ACCELERATOR(name) extern const AcceleratorKind name##_kind;
-#include "source/accelerate/accelerators.def"
-#undef ACCELERATOR
-
 std::span<const AcceleratorKind* const> AcceleratorKinds() {
+#define ACCELERATOR(name) KIND(AcceleratorKind, name##_kind),
   static const std::array kinds{
-#define ACCELERATOR(name) &name##_kind,
 #include "source/accelerate/accelerators.def"
-#undef ACCELERATOR
   };
   return kinds;
 }
@@ -67,10 +63,6 @@ std::unique_ptr<Accelerator> AcceleratorKind::Make(const World& world, const Acc
   return accelerator;
 }
 
-const AcceleratorKind* FindAcceleratorKind(const std::string& name) {
-  for (const AcceleratorKind* kind : AcceleratorKinds())
-    if (name == kind->name) return kind;
-  return nullptr;
-}
+const AcceleratorKind* FindAcceleratorKind(const std::string& name) { return R1::FindKind(AcceleratorKinds(), name); }
 
 }  // namespace ray

@@ -1,18 +1,14 @@
 #include "source/integrate/Integrators.h"
 
+#include "R1/Kinds.h"
 #include "source/integrate/modes/Outlined.h"
 
 namespace ray {
 
-#define INTEGRATOR(name) extern const IntegratorKind name##_kind;
-#include "source/integrate/integrators.def"
-#undef INTEGRATOR
-
 std::span<const IntegratorKind* const> IntegratorKinds() {
+#define INTEGRATOR(name) KIND(IntegratorKind, name##_kind),
   static const std::array kinds{
-#define INTEGRATOR(name) &name##_kind,
 #include "source/integrate/integrators.def"
-#undef INTEGRATOR
   };
   return kinds;
 }

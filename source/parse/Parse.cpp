@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "R1/Kinds.h"
 #include "source/parse/Assets.h"
 #include "source/parse/Format.h"
 #include "source/parse/MeshScene.h"
@@ -19,15 +20,10 @@
 
 namespace ray {
 
-#define SCENE_FORMAT(name) extern const SceneFormat name##_scene_format;
-#include "source/parse/formats.def"
-#undef SCENE_FORMAT
-
 std::span<const SceneFormat* const> SceneFormats() {
+#define SCENE_FORMAT(name) KIND(SceneFormat, name##_scene_format),
   static const std::array formats{
-#define SCENE_FORMAT(name) &name##_scene_format,
 #include "source/parse/formats.def"
-#undef SCENE_FORMAT
   };
   return formats;
 }

@@ -3,26 +3,19 @@
 #include <array>
 #include <limits>
 
+#include "R1/Kinds.h"
+
 namespace ray {
 
-#define CAMERA(name) extern const CameraKind name##_camera;
-#include "source/scene/cameras.def"
-#undef CAMERA
-
 std::span<const CameraKind* const> CameraKinds() {
+#define CAMERA(name) KIND(CameraKind, name##_camera),
   static const std::array kinds{
-#define CAMERA(name) &name##_camera,
 #include "source/scene/cameras.def"
-#undef CAMERA
   };
   return kinds;
 }
 
-const CameraKind* FindCameraKind(std::string_view name) {
-  for (const CameraKind* kind : CameraKinds())
-    if (name == kind->name) return kind;
-  return nullptr;
-}
+const CameraKind* FindCameraKind(std::string_view name) { return R1::FindKind(CameraKinds(), name); }
 
 std::vector<std::string_view> CameraKindNames() {
   std::vector<std::string_view> names;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "source/scene/lights/Words.h"
+#include "source/scene/lights/LightParts.h"
 
 namespace ray {
 namespace {

@@ -2,11 +2,9 @@
 
 #include <array>
 
-namespace ray {
+#include "R1/Kinds.h"
 
-#define LIGHT(name) extern const LightKind name##_kind;
-#include "source/scene/lights.def"
-#undef LIGHT
+namespace ray {
 
 void Light::IlluminateEach(LightSamples& samples) const {
   for (std::uint32_t i = 0; i < samples.count; ++i) {
@@ -16,19 +14,14 @@ void Light::IlluminateEach(LightSamples& samples) const {
 }
 
 std::span<const LightKind* const> LightKinds() {
+#define LIGHT(name) KIND(LightKind, name##_kind),
   static const std::array kinds{
-#define LIGHT(name) &name##_kind,
 #include "source/scene/lights.def"
-#undef LIGHT
   };
   return kinds;
 }
 
-const LightKind* FindLightKind(const std::string& name) {
-  for (const LightKind* kind : LightKinds())
-    if (name == kind->name) return kind;
-  return nullptr;
-}
+const LightKind* FindLightKind(const std::string& name) { return R1::FindKind(LightKinds(), name); }
 
 std::vector<std::unique_ptr<const Light>> DefaultLights() {
   const LightKind& directional = *FindLightKind("dir_light");

@@ -1,29 +1,15 @@
 #include "source/parse/scn/Command.h"
-#include "R3/ShapeKind.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <vector>
 
+#include "R1/Kinds.h"
+#include "R3/ShapeKind.h"
+
 namespace ray {
-
-#define COMMAND(name) extern const Command name##_command;
-#include "source/parse/scn/commands.def"
-#undef COMMAND
-
 namespace {
-
-std::vector<Command> AllCommands() {
-  std::vector<Command> all{
-#define COMMAND(name) name##_command,
-#include "source/parse/scn/commands.def"
-#undef COMMAND
-  };
-  for (const R3::ShapeKind* kind : R3::ShapeKinds()) all.push_back(ShapeCommand(*kind));
-  for (const LightKind* kind : LightKinds()) all.push_back(LightCommand(*kind));
-  return all;
-}
 
 std::map<std::string_view, const Command*> ByName() {
   std::map<std::string_view, const Command*> by_name;
@@ -49,7 +35,15 @@ constexpr std::array foreign{
 }  // namespace
 
 std::span<const Command> Commands() {
-  static const std::vector<Command> all = AllCommands();
+#define COMMAND(name) *KIND(Command, name##_command),
+  static const std::vector<Command> all = [] {
+    std::vector<Command> commands{
+#include "source/parse/scn/commands.def"
+    };
+    for (const R3::ShapeKind* kind : R3::ShapeKinds()) commands.push_back(ShapeCommand(*kind));
+    for (const LightKind* kind : LightKinds()) commands.push_back(LightCommand(*kind));
+    return commands;
+  }();
   return all;
 }
 

@@ -3,8 +3,7 @@
 
 #include "R3/Warp.h"
 #include "source/scene/Light.h"
-#include "source/scene/lights/Falloff.h"
-#include "source/scene/lights/Words.h"
+#include "source/scene/lights/LightParts.h"
 
 namespace ray {
 namespace {
@@ -91,24 +90,9 @@ class AreaLight : public Light {
 extern const LightKind area_light_kind{
     "area_light",
     "a disc that shines to one side: color, center, direction, radius, attenuation",
-    {{"r", false},
-     {"g", false},
-     {"b", false},
-     {"px"},
-     {"py"},
-     {"pz"},
-     {"dx"},
-     {"dy"},
-     {"dz"},
-     {"radius", false},
-     {"ca", false},
-     {"la", false},
-     {"qa", false}},
+    ColorArguments() + PlaceArguments() + DirectionArguments() + ArgumentList{{"radius", false}} + FalloffArguments(),
     [](std::span<const double> a) -> std::unique_ptr<const Light> {
-      const R3::Vector direction{a[6], a[7], a[8]};
-      if (direction == R3::Vector{}) throw R3::ArgumentError(6, "the light's direction must not be 0 0 0");
-      return std::make_unique<AreaLight>(R2::Color{a[0], a[1], a[2]}, R3::Point{a[3], a[4], a[5]}, direction, a[9],
-                                         Falloff{a[10], a[11], a[12]});
+      return std::make_unique<AreaLight>(ColorAt(a, 0), PlaceAt(a, 3), DirectionAt(a, 6), a[9], FalloffAt(a, 10));
     },
     {1, 0.5, 0.25, 0.5, 3, -1, 0, -1, 0.25, 0.75, 0.5, 0.25, 0.125},
 };

@@ -1,5 +1,5 @@
 #include "source/scene/Light.h"
-#include "source/scene/lights/Words.h"
+#include "source/scene/lights/LightParts.h"
 
 namespace ray {
 namespace {
@@ -37,11 +37,9 @@ class DirLight : public Light {
 extern const LightKind dir_light_kind{
     "dir_light",
     "light from infinitely far: color and the direction it travels",
-    {{"r", false}, {"g", false}, {"b", false}, {"dx"}, {"dy"}, {"dz"}},
+    ColorArguments() + DirectionArguments(),
     [](std::span<const double> a) -> std::unique_ptr<const Light> {
-      const R3::Vector direction{a[3], a[4], a[5]};
-      if (direction == R3::Vector{}) throw R3::ArgumentError(3, "the light's direction must not be 0 0 0");
-      return std::make_unique<DirLight>(R2::Color{a[0], a[1], a[2]}, direction);
+      return std::make_unique<DirLight>(ColorAt(a, 0), DirectionAt(a, 3));
     },
     {1, 0.9, 0.8, -3, -4, -5},
 };

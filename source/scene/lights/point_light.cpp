@@ -2,8 +2,7 @@
 
 #include "R3/Numeric.h"
 #include "source/scene/Light.h"
-#include "source/scene/lights/Falloff.h"
-#include "source/scene/lights/Words.h"
+#include "source/scene/lights/LightParts.h"
 
 namespace ray {
 namespace {
@@ -55,10 +54,9 @@ class PointLight : public Light {
 extern const LightKind point_light_kind{
     "point_light",
     "light from a point: color, place, constant, linear and quadratic attenuation",
-    {{"r", false}, {"g", false}, {"b", false}, {"px"}, {"py"}, {"pz"}, {"ca", false}, {"la", false}, {"qa", false}},
+    ColorArguments() + PlaceArguments() + FalloffArguments(),
     [](std::span<const double> a) -> std::unique_ptr<const Light> {
-      return std::make_unique<PointLight>(R2::Color{a[0], a[1], a[2]}, R3::Point{a[3], a[4], a[5]},
-                                          Falloff{a[6], a[7], a[8]});
+      return std::make_unique<PointLight>(ColorAt(a, 0), PlaceAt(a, 3), FalloffAt(a, 6));
     },
     {1, 0.5, 0.25, 0.5, 3, -1, 0.5, 0.25, 0.125},
 };

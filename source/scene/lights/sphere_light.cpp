@@ -3,8 +3,7 @@
 
 #include "R3/Warp.h"
 #include "source/scene/Light.h"
-#include "source/scene/lights/Falloff.h"
-#include "source/scene/lights/Words.h"
+#include "source/scene/lights/LightParts.h"
 
 namespace ray {
 namespace {
@@ -60,19 +59,9 @@ class SphereLight : public Light {
 extern const LightKind sphere_light_kind{
     "sphere_light",
     "a sphere that shines to all sides: color, center, radius, attenuation (an extension of ours)",
-    {{"r", false},
-     {"g", false},
-     {"b", false},
-     {"px"},
-     {"py"},
-     {"pz"},
-     {"radius", false},
-     {"ca", false},
-     {"la", false},
-     {"qa", false}},
+    ColorArguments() + PlaceArguments() + ArgumentList{{"radius", false}} + FalloffArguments(),
     [](std::span<const double> a) -> std::unique_ptr<const Light> {
-      return std::make_unique<SphereLight>(R2::Color{a[0], a[1], a[2]}, R3::Point{a[3], a[4], a[5]}, a[6],
-                                           Falloff{a[7], a[8], a[9]});
+      return std::make_unique<SphereLight>(ColorAt(a, 0), PlaceAt(a, 3), a[6], FalloffAt(a, 7));
     },
     {1, 0.5, 0.25, 0.5, 3, -1, 0.25, 0.75, 0.5, 0.25},
 };

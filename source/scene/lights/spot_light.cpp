@@ -4,8 +4,7 @@
 
 #include "R1/Elementary.h"
 #include "source/scene/Light.h"
-#include "source/scene/lights/Falloff.h"
-#include "source/scene/lights/Words.h"
+#include "source/scene/lights/LightParts.h"
 
 namespace ray {
 namespace {
@@ -60,28 +59,14 @@ class SpotLight : public Light {
 extern const LightKind spot_light_kind{
     "spot_light",
     "a cone of light: color, place, direction, attenuation, half angle in radians, exponent of its fading",
-    {{"r", false},
-     {"g", false},
-     {"b", false},
-     {"px"},
-     {"py"},
-     {"pz"},
-     {"dx"},
-     {"dy"},
-     {"dz"},
-     {"ca", false},
-     {"la", false},
-     {"qa", false},
-     {"sc", false},
-     {"sd", false}},
+    ColorArguments() + PlaceArguments() + DirectionArguments() + FalloffArguments() +
+        ArgumentList{{"sc", false}, {"sd", false}},
     [](std::span<const double> a) -> std::unique_ptr<const Light> {
-      const R3::Vector direction{a[6], a[7], a[8]};
-      if (direction == R3::Vector{}) throw R3::ArgumentError(6, "the light's direction must not be 0 0 0");
+      const R3::Vector direction = DirectionAt(a, 6);
       // Beyond pi/2 nothing changes, for the cosine law ends there; beyond pi it is no half angle, perhaps degrees.
       if (!(a[12] <= std::numbers::pi))
         throw R3::ArgumentError(12, "sc, half an angle in radians, must not exceed pi, got " + Words(a[12]));
-      return std::make_unique<SpotLight>(R2::Color{a[0], a[1], a[2]}, R3::Point{a[3], a[4], a[5]}, direction,
-                                         Falloff{a[9], a[10], a[11]}, a[12], a[13]);
+      return std::make_unique<SpotLight>(ColorAt(a, 0), PlaceAt(a, 3), direction, FalloffAt(a, 9), a[12], a[13]);
     },
     {1, 0.5, 0.25, 0.5, 3, -1, 0, -1, 0.25, 0.5, 0.25, 0.125, 0.75, 2},
 };

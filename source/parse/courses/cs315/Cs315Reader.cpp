@@ -6,10 +6,8 @@
 
 #include "R1/Elementary.h"
 #include "source/parse/Format.h"
-#include "source/parse/courses/objects/Gloss.h"
-#include "source/parse/courses/objects/Lights.h"
 #include "source/parse/courses/objects/Placement.h"
-#include "source/parse/courses/objects/Projection.h"
+#include "source/parse/courses/objects/SharedKeys.h"
 #include "source/text/NumberText.h"
 #include "source/text/Suggestion.h"
 
@@ -182,7 +180,7 @@ void Cs315Reader::ReadSurface(const Field& field) {
 
 std::optional<PlacedShape> Cs315Reader::ReadShape(const std::string& name, Mapping& surface, bool has_texture) {
   const std::string_view kind = name == "Sphere" ? "sphere" : name == "Triangle" ? "triangle" : std::string_view(name);
-  return objects_.Read(kind, surface, {has_texture});
+  return objects_.Read(kind, surface, has_texture);
 }
 
 std::optional<R3::Matrix> Cs315Reader::ReadTransforms(const Field& field) {

@@ -1,7 +1,6 @@
 #include "source/parse/courses/groningen/GroningenReader.h"
-#include "source/parse/courses/objects/Gloss.h"
-#include "source/parse/courses/objects/Lights.h"
 #include "source/parse/courses/objects/Placement.h"
+#include "source/parse/courses/objects/SharedKeys.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Words.h"
 
@@ -51,7 +50,7 @@ void GroningenReader::ReadObject(const Field& field) {
   const int material = ReadMaterial(named);
   const Material& used = Made().materials[static_cast<std::size_t>(material)];
   const bool wants_uv = used.texture || used.specular_map || used.bump || used.normal_map || mode_ == Mode::uv;
-  auto placed = objects_.Read(*kind, named, {wants_uv});
+  auto placed = objects_.Read(*kind, named, wants_uv);
   const R3::Vector motion = ReadMotion(named);
   named.Ignore({"type", "comment", "name"});
   named.Finish();

@@ -5,7 +5,7 @@
 
 #include "R1/Elementary.h"
 #include "source/parse/courses/groningen/GroningenReader.h"
-#include "source/parse/courses/objects/Projection.h"
+#include "source/parse/courses/objects/SharedKeys.h"
 #include "source/text/LowerCase.h"
 #include "source/text/NumberText.h"
 

@@ -10,36 +10,16 @@
 
 namespace ray {
 
-/// One kind of object.
+/// One kind of object. Its function returns nothing after a mistake, which it reports; it may throw R3::ArgumentError.
 struct ObjectKind {
   std::vector<std::string_view> names;  // the usual one first
-  /// Nothing after a mistake, which is told; may throw R3::ArgumentError.
-  std::optional<PlacedShape> (*read)(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
+  std::optional<PlacedShape> (*read)(Mapping& object);
+  /// Instead of `read`, for kinds that open files or depend on textures.
+  std::optional<PlacedShape> (*read_with)(ObjectReader& reader, Mapping& object, bool has_texture) = nullptr;
 };
-std::span<const ObjectKind> ObjectKinds();
+extern const std::vector<ObjectKind> sphere_kinds, flat_kinds, solid_kinds, surface_kinds;
 
-/// Turned about x, then y, then z.
-R3::Matrix TurnOf(const R3::Vector& radians);
-/// A shape of shapes.def.
+/// Makes a shape of shapes.def.
 std::shared_ptr<const R3::Shape> ShapeOf(const char* kind, std::span<const double> numbers);
-
-// The kinds themselves, by what they have in common.
-std::optional<PlacedShape> ReadSphere(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadTriangle(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadQuad(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadPolygon(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadPlane(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadBox(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadCube(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadCylinder(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadCone(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadTorus(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadDisc(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadParaboloid(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadBlob(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadBezier(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadBspline(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
-std::optional<PlacedShape> ReadImplicit(ObjectReader& reader, Mapping& object, const ObjectReader::Options& options);
 
 }  // namespace ray

@@ -11,9 +11,19 @@
 namespace ray {
 namespace {
 
+std::span<const ObjectKind> ObjectKinds() {
+  static const std::vector<ObjectKind> all = [] {
+    std::vector<ObjectKind> kinds;
+    for (const auto* some : {&sphere_kinds, &flat_kinds, &solid_kinds, &surface_kinds})
+      kinds.insert(kinds.end(), some->begin(), some->end());
+    return kinds;
+  }();
+  return all;
+}
+
 const ObjectKind* FindKind(std::string_view name) {
   for (const ObjectKind& kind : ObjectKinds())
-    if (std::find(kind.names.begin(), kind.names.end(), name) != kind.names.end()) return &kind;
+    if (std::ranges::find(kind.names, name) != kind.names.end()) return &kind;
   return nullptr;
 }
 
@@ -25,6 +35,10 @@ std::string WithExtension(const std::string& mesh) {
 
 }  // namespace
 
+std::shared_ptr<const R3::Shape> ShapeOf(const char* kind, std::span<const double> numbers) {
+  return R3::FindShapeKind(kind)->make(numbers);
+}
+
 std::vector<std::string_view> ObjectReader::Kinds() {
   std::vector<std::string_view> names;
   for (const ObjectKind& kind : ObjectKinds()) names.insert(names.end(), kind.names.begin(), kind.names.end());
@@ -33,9 +47,10 @@ std::vector<std::string_view> ObjectReader::Kinds() {
 
 bool ObjectReader::IsKind(std::string_view name) { return FindKind(name); }
 
-std::optional<PlacedShape> ObjectReader::Read(std::string_view kind, Mapping& object, const Options& options) {
+std::optional<PlacedShape> ObjectReader::Read(std::string_view name, Mapping& object, bool has_texture) {
   try {
-    return FindKind(kind)->read(*this, object, options);
+    const ObjectKind& kind = *FindKind(name);
+    return kind.read ? kind.read(object) : kind.read_with(*this, object, has_texture);
   } catch (const R3::ArgumentError& error) {
     report_.Error(object.What(), std::string("cannot be: ") + error.what());
     return {};

@@ -35,13 +35,10 @@ class ObjectReader {
   static std::vector<std::string_view> Kinds();
   static bool IsKind(std::string_view name);
 
-  /// Whether a sphere is to have the texture coordinates of these languages, whose poles are on the z axis. Other
-  /// shapes have one kind of them only.
-  struct Options {
-    bool wants_texture_coordinates = false;
-  };
-  /// Reads the keys of one kind, not calling Finish. Nothing after a mistake, which is reported.
-  std::optional<PlacedShape> Read(std::string_view kind, Mapping& object, const Options& options);
+  /// Reads the keys of one kind, not calling Finish. Returns nothing after a mistake, which it reports.
+  ///   has_texture   gives a sphere the texture coordinates of these languages, whose poles are on the z axis; other
+  ///                 shapes have one kind of them only
+  std::optional<PlacedShape> Read(std::string_view name, Mapping& object, bool has_texture);
 
   /// A node that is moved by `transform` (its parent's coordinates from its own) and by `motion` while the shutter is
   /// open. To be called with mistakes in the scene as well: then nothing is added.

@@ -48,6 +48,12 @@ R3::Matrix RotationAbout(int axis, double degrees) {
   return matrix;
 }
 
+R3::Matrix TurnOf(const R3::Vector& radians) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  return RotationAbout(2, radians.z * degrees) * RotationAbout(1, radians.y * degrees) *
+         RotationAbout(0, radians.x * degrees);
+}
+
 // Rodrigues' formula, cos I + sin [a] + (1 - cos) a a^T.
 R3::Matrix RotationAbout(const R3::Vector& axis, double degrees) {
   const R1::SineCosine turn = OfDegrees(degrees);

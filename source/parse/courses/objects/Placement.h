@@ -17,6 +17,8 @@ R3::Matrix Scaling(const R3::Vector& factors);
 R3::Matrix RotationAbout(int axis, double degrees);
 /// About an axis of any length but 0, counter-clockwise seen from its tip; as exact where it is a coordinate axis.
 R3::Matrix RotationAbout(const R3::Vector& axis, double degrees);
+/// The rotation about x, then y, then z.
+R3::Matrix TurnOf(const R3::Vector& radians);
 /// The frame whose origin is `eye` and whose z axis goes to `target`, y as near to `up` as may be: all three unit, x to
 /// the left of one who looks along z. Nothing where these name no frame.
 std::optional<R3::Matrix> LookingAt(const R3::Point& eye, const R3::Point& target, const R3::Vector& up);

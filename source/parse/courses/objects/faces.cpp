@@ -139,9 +139,7 @@ PlacedShape NamedMesh(ObjectReader& reader, const Field& file, const Assets::Sha
   return {.shape = nullptr, .bounds = bounds, .model = model};
 }
 
-}  // namespace
-
-std::optional<PlacedShape> ReadTriangle(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadTriangle(Mapping& object) {
   static const Spellings spellings{{"v0", "v1", "v2"},
                                    {"v1", "v2", "v3"},
                                    {"a", "b", "c"},
@@ -158,7 +156,7 @@ std::optional<PlacedShape> ReadTriangle(ObjectReader&, Mapping& object, const Ob
   return MeshOf(object, *corners, uvs.value_or(std::vector<R2::Point>{{0, 0}, {1, 0}, {0, 1}}), std::move(normals));
 }
 
-std::optional<PlacedShape> ReadQuad(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadQuad(Mapping& object) {
   static const Spellings spellings{{"v0", "v1", "v2", "v3"},
                                    {"a", "b", "c", "d"},
                                    {"p1", "p2", "p3", "p4"},
@@ -175,7 +173,7 @@ std::optional<PlacedShape> ReadQuad(ObjectReader&, Mapping& object, const Object
   return MeshOf(object, *corners, QuadUvs());
 }
 
-std::optional<PlacedShape> ReadPolygon(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadPolygon(Mapping& object) {
   const auto field = object.Need({"vertices", "points", "corners"});
   const auto list = field ? field->List() : std::nullopt;
   if (!list) return {};
@@ -186,7 +184,7 @@ std::optional<PlacedShape> ReadPolygon(ObjectReader&, Mapping& object, const Obj
   return MeshOf(object, corners, {});
 }
 
-std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, bool) {
   const auto file = NeedFile(object);
   const Assets::Shading shading = ReadShading(object);
   const bool has_materials = object.Bool({"materials"}, false);
@@ -203,5 +201,14 @@ std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, c
   placed.placement = size ? placement * Scaling(half_size) * Unitizing(*placed.bounds) : placement;
   return placed;
 }
+
+}  // namespace
+
+extern const std::vector<ObjectKind> flat_kinds{
+    {{"triangle"}, ReadTriangle},
+    {{"quad", "quadrilateral"}, ReadQuad},
+    {{"polygon"}, ReadPolygon},
+    {{"mesh", "model", "obj", "triangleAggregate"}, nullptr, ReadMeshFile},
+};
 
 }  // namespace ray

@@ -1,5 +1,4 @@
 #include <array>
-#include <numbers>
 
 #include "source/parse/Coordinate.h"
 #include "source/parse/courses/objects/Kinds.h"
@@ -70,15 +69,7 @@ PlacedShape TurnedBox(const R3::Point& center, const R3::Vector& size, const R3:
   return {BoxBetween(other, half), Translation(FromOrigin(center)) * TurnOf(turn)};
 }
 
-}  // namespace
-
-R3::Matrix TurnOf(const R3::Vector& radians) {
-  constexpr double degrees = 180 / std::numbers::pi;
-  return RotationAbout(2, radians.z * degrees) * RotationAbout(1, radians.y * degrees) *
-         RotationAbout(0, radians.x * degrees);
-}
-
-std::optional<PlacedShape> ReadPlane(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadPlane(Mapping& object) {
   const R3::Vector normal = Direction(object, {"normal", "N", "n"});
   R3::Point point;
   if (const auto distance = object.Find({"distance", "d"}))
@@ -100,7 +91,7 @@ R3::Vector BoxDepth(Mapping& object, const R3::Vector& side, const R3::Vector& u
   return length.value_or(0) * Unit(away);
 }
 
-std::optional<PlacedShape> ReadBox(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadBox(Mapping& object) {
   if (object.Has({"dimension"})) {
     const R3::Point center = object.NeedPoint({"position", "center"});
     const R3::Vector size = object.NeedVector({"dimension"});
@@ -120,7 +111,7 @@ std::optional<PlacedShape> ReadBox(ObjectReader&, Mapping& object, const ObjectR
   return PlacedShape{BoxBetween(low, high)};
 }
 
-std::optional<PlacedShape> ReadCube(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadCube(Mapping& object) {
   const R3::Point center = object.NeedPoint({"position", "center"});
   const double size = object.NeedNumber({"size"}, positive);
   const R3::Vector turn{object.Number({"pitch"}, any_number, 0), object.Number({"yaw"}, any_number, 0),
@@ -129,19 +120,7 @@ std::optional<PlacedShape> ReadCube(ObjectReader&, Mapping& object, const Object
   return TurnedBox(center, {size, size, size}, turn);
 }
 
-std::optional<PlacedShape> ReadCylinder(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
-  return ReadStanding("cylinder", object);
-}
-
-std::optional<PlacedShape> ReadCone(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
-  return ReadStanding("cone", object);
-}
-
-std::optional<PlacedShape> ReadParaboloid(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
-  return ReadStanding("paraboloid", object);
-}
-
-std::optional<PlacedShape> ReadTorus(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadTorus(Mapping& object) {
   const R3::Point center = object.NeedPoint({"position", "center"});
   const R3::Vector direction = Direction(object, {"direction", "axis"}, R3::Vector{0, 0, 1});
   const double radius = object.NeedNumber({"radius"}, positive);
@@ -152,12 +131,25 @@ std::optional<PlacedShape> ReadTorus(ObjectReader&, Mapping& object, const Objec
   return PlacedShape{ShapeOf("torus", std::array{0.0, 0.0, 0.0, radius, tube}), Along(Unit(direction), center)};
 }
 
-std::optional<PlacedShape> ReadDisc(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadDisc(Mapping& object) {
   const R3::Point center = object.NeedPoint({"center", "position"});
   const R3::Vector normal = Direction(object, {"N", "normal", "n"});
   const double radius = object.NeedNumber({"radius", "r"}, positive);
   if (!object.IsGood()) return {};
   return PlacedShape{ShapeOf("disc", std::array{center.x, center.y, center.z, normal.x, normal.y, normal.z, radius})};
 }
+
+}  // namespace
+
+extern const std::vector<ObjectKind> solid_kinds{
+    {{"plane"}, ReadPlane},
+    {{"box"}, ReadBox},
+    {{"cube"}, ReadCube},
+    {{"cylinder"}, [](Mapping& object) { return ReadStanding("cylinder", object); }},
+    {{"cone"}, [](Mapping& object) { return ReadStanding("cone", object); }},
+    {{"torus"}, ReadTorus},
+    {{"disc", "disk", "circle"}, ReadDisc},
+    {{"paraboloid"}, [](Mapping& object) { return ReadStanding("paraboloid", object); }},
+};
 
 }  // namespace ray

@@ -95,20 +95,22 @@ Globe ReadGlobe(Mapping& object, const std::optional<R3::Vector>& axis_with_radi
   return {turned.value_or(R3::Matrix{}) * RotationAbout(2, angle), named || side || quaternion || angle != 0};
 }
 
-}  // namespace
-
 // Our own sphere has the poles of its texture on z as well, but its longitude grows clockwise from +y: a globe with x
 // and y swapped.
-std::optional<PlacedShape> ReadSphere(ObjectReader&, Mapping& object, const ObjectReader::Options& options) {
+std::optional<PlacedShape> ReadSphere(ObjectReader&, Mapping& object, bool has_texture) {
   const R3::Point center = object.NeedPoint({"position", "center"});
   const RadiusAndAxis read = ReadRadius(object);
   const Globe globe = ReadGlobe(object, read.axis);
   if (!object.IsGood()) return {};
-  if (!options.wants_texture_coordinates && !globe.is_turned)
+  if (!has_texture && !globe.is_turned)
     return PlacedShape{ShapeOf("sphere", std::array{center.x, center.y, center.z, read.radius})};
   const R3::Matrix globe_from_sphere = Frame({}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
   const R3::Matrix placement = Translation(FromOrigin(center)) * globe.world_from_globe * globe_from_sphere;
   return PlacedShape{ShapeOf("sphere", std::array{0.0, 0.0, 0.0, read.radius}), placement};
 }
+
+}  // namespace
+
+extern const std::vector<ObjectKind> sphere_kinds{{{"sphere"}, nullptr, ReadSphere}};
 
 }  // namespace ray

@@ -44,9 +44,7 @@ std::optional<R3::Expression> ReadFormula(Mapping& object) {
   }
 }
 
-}  // namespace
-
-std::optional<PlacedShape> ReadBlob(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadBlob(Mapping& object) {
   std::vector<double> numbers{object.NeedNumber({"threshold"}, positive)};
   const auto field = object.Need({"balls", "components"});
   const auto balls = field ? field->List() : std::nullopt;
@@ -57,15 +55,7 @@ std::optional<PlacedShape> ReadBlob(ObjectReader&, Mapping& object, const Object
   return PlacedShape{ShapeOf("blob", numbers)};
 }
 
-std::optional<PlacedShape> ReadBezier(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
-  return ReadPatch("bezier", object);
-}
-
-std::optional<PlacedShape> ReadBspline(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
-  return ReadPatch("bspline", object);
-}
-
-std::optional<PlacedShape> ReadImplicit(ObjectReader&, Mapping& object, const ObjectReader::Options&) {
+std::optional<PlacedShape> ReadImplicit(Mapping& object) {
   auto formula = ReadFormula(object);
   const R3::Point low = object.NeedPoint({"min"}), high = object.NeedPoint({"max"});
   if (!formula || !object.IsGood()) return {};
@@ -73,5 +63,14 @@ std::optional<PlacedShape> ReadImplicit(ObjectReader&, Mapping& object, const Ob
   box.Extend(low), box.Extend(high);
   return PlacedShape{std::make_shared<const R3::Implicit>(std::move(*formula), box)};
 }
+
+}  // namespace
+
+extern const std::vector<ObjectKind> surface_kinds{
+    {{"blob", "metaball"}, ReadBlob},
+    {{"bezier"}, [](Mapping& object) { return ReadPatch("bezier", object); }},
+    {{"bspline"}, [](Mapping& object) { return ReadPatch("bspline", object); }},
+    {{"implicit"}, ReadImplicit},
+};
 
 }  // namespace ray

@@ -1,4 +1,4 @@
-#include "source/scene/lights/Words.h"
+#include "source/scene/lights/LightParts.h"
 
 #include "source/text/NumberText.h"
 

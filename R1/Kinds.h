@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+/// The address of a kind that another file of the namespace defines. A table lists its kinds in a .def file, one a
+/// line:
+///     #define SHAPE(name) KIND(ShapeKind, name##_kind),
+#define KIND(Type, name)    \
+  [] {                      \
+    extern const Type name; \
+    return &name;           \
+  }()
+
+namespace R1 {
+
+/// Returns the kind of that name; null if there is none.
+template <class Kind>
+const Kind* FindKind(std::span<const Kind* const> kinds, std::string_view name) {
+  for (const Kind* kind : kinds)
+    if (name == kind->name) return kind;
+  return nullptr;
+}
+
+}  // namespace R1
