@@ -71,7 +71,7 @@ VIEWER_LIBS := $(if $(CONTEXTS),-lepoxy) $(if $(filter glfw,$(CONTEXTS)),-lglfw)
                $(if $(CONTEXTS),$(IMGUI_LIBS))
 
 .DEFAULT_GOAL := all
-MAINS := $(wildcard source/app/ray*.cpp)
+MAINS := $(wildcard source/app/ray*.cpp) source/rayimg/rayimg.cpp
 # rayview is built where there is something to draw with.
 PROGRAMS := raypro rayimg $(if $(CONTEXTS),rayview)
 LIBRARY_SOURCES := $(filter-out $(MAINS),$(wildcard R1/*.cpp R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp \
@@ -133,7 +133,7 @@ compile = @mkdir -p $(@D) && echo "  c++   $(1)" && \
           $(CXX) $(OUR_CPPFLAGS) $(FEATURES_HERE) $(CPPFLAGS) $(OUR_CXXFLAGS) $(OPTIMIZE_HERE) $(CXXFLAGS) -c $< -o $@
 # What runs once in a run is compiled the faster for it; where samples are made many at a time, loops become vector
 # instructions.
-$(BUILD)/obj/source/app/% $(BUILD)/obj/source/parse/%: OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-O1)
+$(BUILD)/obj/source/app/% $(BUILD)/obj/source/rayimg/% $(BUILD)/obj/source/parse/%: OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-O1)
 $(BUILD)/obj/source/sample/% $(BUILD)/obj/source/scene/% $(BUILD)/obj/source/integrate/all.o \
 $(BUILD)/obj/source/integrate/lights/% $(BUILD)/obj/source/integrate/shading/% $(BUILD)/obj/R3/shapes/%: \
   OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-ftree-vectorize $(if $(CLANG),,-fvect-cost-model=dynamic))
@@ -151,7 +151,7 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 
 # What all programs share, and what is one program's own, so that raypro does not wait for the viewer.
 OF_RAYVIEW := $(filter source/draw/% source/view/% source/app/rayview/%,$(LIBRARY_SOURCES))
-OF_RAYIMG := $(filter source/app/rayimg/%,$(LIBRARY_SOURCES))
+OF_RAYIMG := $(filter source/rayimg/%,$(LIBRARY_SOURCES))
 archive = @echo "  ar    $@" && rm -f $@ && $(AR) rcs $@ $^
 $(BUILD)/libray.a: $(call objects,$(filter-out $(OF_RAYVIEW) $(OF_RAYIMG),$(LIBRARY_SOURCES)))
 	$(archive)
@@ -164,7 +164,8 @@ $(BUILD)/rayview $(BUILD)/raytests $(BUILD)/bench/view $(BUILD)/targets/%: LIBS 
 link = @mkdir -p $(@D) && echo "  link  $@" && $(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) \
        $(filter-out %/libray.a,$^) $(BUILD)/libray.a $(LDFLAGS) $(1) $(LIBS) -o $@
 $(BUILD)/rayview: $(BUILD)/librayview.a
-$(BUILD)/rayimg: $(call objects,$(OF_RAYIMG))
+$(BUILD)/rayimg: $(BUILD)/obj/source/rayimg/rayimg.o $(call objects,$(OF_RAYIMG)) $(BUILD)/libray.a
+	$(call link)
 $(patsubst source/app/%.cpp,$(BUILD)/%,$(filter source/app/%,$(MAINS))): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libray.a
 	$(call link)
 $(BUILD)/raytests: $(call objects,$(TEST_SOURCES) $(OF_RAYIMG)) $(BUILD)/librayview.a $(BUILD)/libray.a

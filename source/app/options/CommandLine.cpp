@@ -165,7 +165,7 @@ std::unique_ptr<Options> ReadWords(const Program& program, std::span<const std::
     if (!only_names && word == "--") {
       only_names = true;
       ++i;
-    } else if (only_names || !(LooksLikeOption(word) || (renders && IsOfPovRay(word)))) {
+    } else if (only_names || !LooksLikeOption(word)) {
       TakeName(word, *options);
       ++i;
     } else {
