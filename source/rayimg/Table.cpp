@@ -81,6 +81,9 @@ Word Threshold(Lambda member, const char* range) {
 
 #define AT(member) AT_OF(ImageOptions, member)
 
+constexpr OptionNeed a_map{[](const Options& o) { return !As<ImageOptions>(o).map.empty(); }, "without -map"};
+constexpr OptionNeed a_limit{[](const Options& o) { return As<ImageOptions>(o).fail.has_value(); }, "without -fail"};
+
 // One entry stays one thought.
 // clang-format off
 constexpr std::array commands{
@@ -166,14 +169,14 @@ std::vector<OptionKind> OptionsOfCommands() {
        "a second reference from another random seed, for the error without their noise", {"diff"}},
       {"map", rayimg, {}, {}, {"image"}, FileName{AT(map), FileKind::image}, "", "",
        "write a heat map of the difference, black 0 to white 1", {"diff"}},
-      {"map_of", rayimg, {}, {}, {"name"}, OneOfEnum<MapOf>(AT(map_of)), "", "",
+      {"map_of", rayimg, Needs{a_map}, {}, {"name"}, OneOfEnum<MapOf>(AT(map_of)), "", "",
        "what the map shows: FLIP, or the largest difference of a displayed channel", {"diff"}},
       {"pixels_per_degree", rayimg, {}, {}, {"x"}, Number<double>{AT(pixels_per_degree), 1, 1000}, "", "",
        "FLIP: pixels per degree of view; by default those of 3840 pixels seen from their own width",
        {"diff"}},
       {"fail", rayimg, {}, {}, {"x"}, Threshold<0>(AT(fail), "a number, at least 0"), "", "",
        "a pixel fails when a channel differs by more than this", {"diff"}},
-      {"fail_percent", rayimg, {}, {}, {"p"}, Threshold<100>(AT(fail_percent), "a number, 0 to 100"), "", "",
+      {"fail_percent", rayimg, Needs{a_limit}, {}, {"p"}, Threshold<100>(AT(fail_percent), "a number, 0 to 100"), "", "",
        "percentage of the pixels that may fail; 0 by default", {"diff"}},
       {"fail_rmse", rayimg, {}, {}, {"x"}, Threshold<0>(AT(fail_rmse), "a number, at least 0"), "", "",
        "the largest linear RMSE allowed", {"diff"}},
@@ -203,7 +206,7 @@ std::vector<OptionKind> OptionsOfCommands() {
        {"side-by-side", "contact-sheet"}},
       {"gap", rayimg, {}, {}, {"n"}, Whole<0, most_gap>(AT(gap), "a whole number, 0 to 1000"), "pixels", "",
        "white between images; by default 0 side by side and 8 on a sheet", {"side-by-side", "contact-sheet"}},
-      {"captions", rayimg, {}, {}, {"a,b,..."},
+      {"captions", rayimg, Excludes{"names"}, {}, {"a,b,..."},
        WordOf<ReadTexts, ShowNothing<std::vector<std::string>>>(AT(captions),
         "texts separated by commas"), "", "", "words below each image, one text per image", {"side-by-side"}},
       {"names", rayimg, {}, {}, {},
@@ -243,16 +246,14 @@ void CheckTogether(const ImageOptions& options) {
     if (given > 0 && given != options.names.size())
       throw UsageError(option + " has " + Counted(given, noun) + " for " + Counted(options.names.size(), "image"));
   };
-  if (options.fail_percent && !options.fail) throw UsageError("-fail_percent has no effect without -fail");
-  if (options.map_of != ImageOptions().map_of && options.map.empty())
-    throw UsageError("-map_of has no effect without -map");
+  for (const std::string& given : options.given)
+    if (const std::string why = options.WhyWithoutEffect(*FindOption(Program::rayimg, given)); !why.empty())
+      throw UsageError("-" + given + " has no effect " + why);
   const bool writes_one = name == "merge" || name == "side-by-side" || name == "contact-sheet";
   if (writes_one && options.out.empty()) throw UsageError(name + " needs -out image, the image to write");
   if (name == "resize" && !options.width && !options.height)
     throw UsageError("resize needs -width n or -height n, in pixels, or both");
   if (name == "crop" && !options.crop) throw UsageError("crop needs -crop x0 y0 x1 y1, in pixels from the lower left");
-  if (!options.captions.empty() && options.captions_are_names)
-    throw UsageError("-captions and -names contradict each other");
   count(options.captions.size(), "-captions", "text");
   count(options.weights.size(), "-weights", "number");
 }

@@ -63,8 +63,7 @@ struct RenderMonitor {
 R2::Image ImageOf(const Film& film, const RenderSettings& settings);
 
 /// What a render gives.
-struct RenderResult {
-  R2::Image image;  // of the crop, or of the whole; filled where nothing was rendered yet
+struct RenderSummary {
   std::int64_t pixels_done = 0, pixels_total = 0;  // with at least one sample; in all
   RayCounts rays;
   // How much of what the samples might find was cut off by settings, as throughput. Where that is as bright as the
@@ -80,8 +79,8 @@ struct RenderResult {
   std::optional<ErrorEstimate> error;                   // of the image; nothing below two samples
   std::optional<ErrorEstimate> error_before_denoising;  // only where it was denoised
   std::string denoised_by;                              // the name of the filters; empty where it was not denoised
-  std::string denoise_failure;          // why it was not, though it should be; `image` is as it was rendered then
-  bool had_no_time_to_denoise = false;  // though it was asked for; then, too, `image` is as it was rendered
+  std::string denoise_failure;          // why it was not, though it should be; the image is as it was rendered then
+  bool had_no_time_to_denoise = false;  // though it was asked for; then, too, the image is as it was rendered
   double denoise_seconds = 0, guide_seconds = 0;  // the latter a part of the former
   std::uint64_t guide_rays = 0;                   // a part of `rays`
   std::uint64_t rays_before = 0;                  // a part of `rays` too: of the state that it went on from
@@ -90,6 +89,10 @@ struct RenderResult {
   bool has_outliers = false;                      // they hold most of the error, and no block was stopped early
 
   bool IsComplete() const { return stop != Stop::request; }
+};
+
+struct RenderResult : RenderSummary {
+  R2::Image image;  // of the crop, or of the whole; filled where nothing was rendered yet
 };
 
 /// Renders the world through its scene's camera, or the view of the settings. The image is the same, bit for bit, for

@@ -106,28 +106,12 @@ std::string FirstDifference(std::string_view a, std::string_view b) {
 
 /// Field by field: between some of them there are bytes that nobody sets.
 void PutError(Writer& writer, const ErrorEstimate& error) {
-  writer.Put(error.unit);
-  writer.Put(error.estimate);
-  writer.Put(error.low);
-  writer.Put(error.high);
-  writer.Put(error.worst_block);
-  writer.Put(error.worst_block_at);
-  writer.Put(error.outlier_share);
-  writer.Put(error.unseen_share);
-  writer.Put(error.freedom);
+  ErrorEstimate::ForEachField(error, [&](const auto& field) { writer.Put(field); });
 }
 
 ErrorEstimate TakeError(Reader& reader) {
   ErrorEstimate error;
-  error.unit = reader.Take<ErrorUnit>();
-  error.estimate = reader.Take<double>();
-  error.low = reader.Take<double>();
-  error.high = reader.Take<double>();
-  error.worst_block = reader.Take<double>();
-  error.worst_block_at = reader.Take<PixelRectangle>();
-  error.outlier_share = reader.Take<double>();
-  error.unseen_share = reader.Take<double>();
-  error.freedom = reader.Take<double>();
+  ErrorEstimate::ForEachField(error, [&]<class T>(T& field) { field = reader.Take<T>(); });
   return error;
 }
 

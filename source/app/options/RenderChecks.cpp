@@ -127,8 +127,8 @@ void CheckSubsampling(const RenderSettings& render) {
 
 void CheckBudget(const RenderOptions& options) {
   const Budget& budget = options.render.budget;
-  if (!options.files.replay.empty() && budget.IsOpen())
-    throw UsageError("-replay and -time or -error contradict each other");
+  if (!options.files.replay.empty() && budget.IsOpen())  // by -quality
+    throw UsageError("-replay and -quality " + options.quality + " contradict each other");
   if (ShowsCosts(options.render.mode) && budget.error)
     throw UsageError(std::string("-error has no effect with -mode ") + NameOf(options.render.mode) +
                      ", which shows costs");

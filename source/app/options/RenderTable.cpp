@@ -343,7 +343,7 @@ std::vector<OptionKind> QualityOptions() {
       {"reference", raypro, run | one_image | whole_image,
        {}, {"file[,file2]"}, FileList{AT(files.reference), FileKind::image}, "", "quality",
        "print the true error against an image, or two independent ones, of the same scene"},
-      {"replay", raypro, samples | one_image,
+      {"replay", raypro, samples | one_image | Excludes{"time", "error"},
        {}, {"file.json"}, FileName{AT(files.replay), FileKind::json}, "", "quality",
        "reuse the sample allocation of that report: a bit-identical image"},
       {"advise", raypro, {}, {}, {}, Request{answer::Advise, true}, "", "quality",

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <set>
 #include <span>
 
-#include "source/app/report/ContactCheck.h"
-#include "source/app/report/LampCheck.h"
+#include "source/app/report/Questions.h"
 #include "source/render/Flare.h"
 #include "source/render/SceneFeatures.h"
 #include "source/text/Quoting.h"
@@ -60,21 +58,6 @@ bool IsOutside(const R3::Box& box, const R3::Point& eye, const R3::Vector& inwar
   return true;
 }
 
-/// One line for all instances that have the fault, with the place of the first.
-void Point(std::vector<std::string>& mistakes, const World& world, const std::string& fault,
-           const std::function<bool(const Instance&)>& has_fault) {
-  const Instance* first = nullptr;
-  std::uint64_t count = 0;
-  for (const Instance& instance : world.Instances()) {
-    if (!has_fault(instance)) continue;
-    if (!first) first = &instance;
-    ++count;
-  }
-  if (!first) return;
-  mistakes.push_back(PlaceOf(world, *first) + ": warning: this shape " + fault +
-                     (count > 1 ? " (and " + std::to_string(count - 1) + " more)" : ""));
-}
-
 bool ReflectsAmbientLight(const Instance& instance) { return !IsBlack(instance.material->ka); }
 
 /// Whether all of the instance is on the outer side of one of the planes through the eye.
@@ -99,32 +82,49 @@ bool IsWallAround(const R3::Box& box, const R3::Point& eye) {
   return false;
 }
 
-/// Solids around the point that are not clear: inside of glass one may well look out.
-int ObstaclesAround(const World& world, const R3::Point& point, bool ask_meshes) {
-  return SolidsAround(world, point, [&](const Instance& instance) {
-    return IsBlack(instance.material->kt) && (ask_meshes || instance.shape->IsSolid());
-  });
+const Camera& CameraOf(const Inspection& inspection) {
+  return inspection.settings.view ? *inspection.settings.view : inspection.world.scene().camera;
 }
 
-/// Mistakes in the scene as a whole.
-std::vector<std::string> SceneMistakes(const World& world, const RenderSettings& settings, bool ask_meshes) {
-  const Scene& scene = world.scene();
-  const Camera camera = settings.view.value_or(scene.camera);
-  const std::string warning = (scene.files.empty() ? "scene" : Escaped(scene.files[0])) + ": warning: ";
-  const auto inward = InwardSides(camera, settings);
-  const auto is_outside = [&](const Instance& i) { return IsOutsideView(world, i, camera.eye, inward); };
-  std::vector<std::string> mistakes;
-  if (world.Instances().empty())
-    mistakes.push_back(warning + "nothing in the scene can be seen");
-  else if (std::ranges::all_of(world.Instances(), is_outside))
-    mistakes.push_back(warning + "nothing in the scene is in view of the camera");
-  if (ShowsLight(settings.mode) && !IsLit(world))
-    mistakes.push_back(warning + "the scene is unlit" + (scene.lights.empty() ? "" : "; every light is black"));
-  if (HasFlare(camera, settings) && ShiningLights(world, settings).empty())
-    mistakes.push_back(warning + "-flare has no effect without a light; what emits has no lens flare");
-  if (const int solids = ObstaclesAround(world, camera.eye, ask_meshes); solids > 0)
-    mistakes.push_back(warning + "the camera is inside " + Counted(static_cast<std::uint64_t>(solids), "shape"));
-  return mistakes;
+/// What of the scene the camera does not see.
+class OutOfView {
+ public:
+  explicit OutOfView(const Inspection& inspection)
+      : world_(inspection.world),
+        eye_(CameraOf(inspection).eye),
+        inward_(InwardSides(CameraOf(inspection), inspection.settings)) {}
+  bool operator()(const Instance& instance) const { return IsOutsideView(world_, instance, eye_, inward_); }
+
+ private:
+  const World& world_;
+  const R3::Point eye_;
+  const std::vector<R3::Vector> inward_;
+};
+
+std::string NothingInView(const Inspection& inspection) {
+  if (inspection.world.Instances().empty()) return "nothing in the scene can be seen";
+  const OutOfView is_outside(inspection);
+  return std::ranges::all_of(inspection.world.Instances(), is_outside) ? "nothing in the scene is in view of the camera"
+                                                                       : "";
+}
+
+std::string Unlit(const Inspection& inspection) {
+  if (!ShowsLight(inspection.settings.mode) || IsLit(inspection.world)) return {};
+  return std::string("the scene is unlit") + (inspection.world.scene().lights.empty() ? "" : "; every light is black");
+}
+
+std::string FlareOfNothing(const Inspection& inspection) {
+  const bool is_of_nothing = HasFlare(CameraOf(inspection), inspection.settings) &&
+                             ShiningLights(inspection.world, inspection.settings).empty();
+  return is_of_nothing ? "-flare has no effect without a light; what emits has no lens flare" : "";
+}
+
+/// Inside of glass one may well look out. Meshes are looked into by -check alone, since that takes time.
+std::string CameraInside(const Inspection& inspection) {
+  const int solids = SolidsAround(inspection.world, CameraOf(inspection).eye, [&](const Instance& instance) {
+    return IsBlack(instance.material->kt) && (inspection.effort == Effort::check || instance.shape->IsSolid());
+  });
+  return solids > 0 ? "the camera is inside " + Counted(static_cast<std::uint64_t>(solids), "shape") : "";
 }
 
 /// In languages whose materials have a color and the weights of it.
@@ -142,43 +142,77 @@ bool HasKdOfBytes(const Material& m) {
   return std::max({m.kd.r, m.kd.g, m.kd.b}) >= least;
 }
 
-/// Adds the mistakes in single shapes.
-void AddShapeMistakes(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
-  const auto has_no_uv = [](const Instance& i) { return !i.shape->HasTextureCoordinates(); };
-  Point(mistakes, world, "has a texture but no texture coordinates",
-        [&](const Instance& i) { return i.material->texture && has_no_uv(i); });
-  Point(mistakes, world, "has a specular map but no texture coordinates",
-        [&](const Instance& i) { return i.material->specular_map && has_no_uv(i); });
-  Point(mistakes, world, "has a specular map but neither ks nor a mirror that it could multiply",
-        [](const Instance& i) { return i.material->specular_map && !HasSpecular(*i.material); });
-  if (ShowsLight(settings.mode) && settings.mode != RenderMode::gooch)  // whose tones are no material's
-    Point(mistakes, world, "has a color but no ka, kd or ks, and is black",
-          [](const Instance& i) { return HasUnusedColor(*i.material); });
-  Point(mistakes, world, "reflects more than 16 times the light that arrives: kd is from 0 to 1, not from 0 to 255",
-        [](const Instance& i) { return HasKdOfBytes(*i.material); });
-  const auto is_emissive_solid = [](const Instance& i) { return !IsBlack(i.material->emission) && !i.mesh; };
-  if (settings.mode == RenderMode::whitted && !settings.trace.emissive_solids_light)
-    Point(mistakes, world, "emits but lights nothing in mode whitted; -mode path makes it a light", is_emissive_solid);
-  if (settings.mode == RenderMode::path && !EmitsRadiance(settings) && !settings.trace.emissive_solids_light)
-    Point(mistakes, world, "emits but lights nothing with -emission color; -emissive_solids on makes it a light",
-          is_emissive_solid);
+bool HasNoUv(const Instance& i) { return !i.shape->HasTextureCoordinates(); }
+
+bool IsEmissiveSolid(const Instance& i) { return i.Emits() && !i.mesh; }
+
+std::vector<std::string> ShapesOutOfView(const Inspection& inspection) {
+  const OutOfView is_outside(inspection);
+  const R3::Point eye = CameraOf(inspection).eye;
+  std::vector<const Instance*> outside;
+  for (const Instance& instance : inspection.world.Instances())
+    if (is_outside(instance) && !IsWallAround(WorldBounds(inspection.world, instance), eye))
+      outside.push_back(&instance);
+  if (outside.empty()) return {};
+  return {WarningAt(inspection.world, *outside[0]) + "this shape lies outside the view" + AndMore(outside.size())};
 }
 
 /// Reports each mesh some of whose triangles were turned around to agree with their vertex normals.
-void AddTurnedMeshes(std::vector<std::string>& mistakes, const World& world) {
+std::vector<std::string> TurnedMeshes(const Inspection& inspection) {
+  std::vector<std::string> mistakes;
   std::set<const R3::Shape*> seen;
-  for (const Instance& instance : world.Instances()) {
+  for (const Instance& instance : inspection.world.Instances()) {
     if (!instance.mesh || instance.mesh->TurnedTriangles() == 0 || !seen.insert(instance.node->shape.get()).second)
       continue;
     const auto turned = static_cast<std::uint64_t>(instance.mesh->TurnedTriangles());
     const std::uint32_t line = instance.mesh->FirstTurnedLine();
-    mistakes.push_back(PlaceOf(world, instance) + ": warning: " + Counted(turned, "triangle") + " of " +
+    mistakes.push_back(WarningAt(inspection.world, instance) + Counted(turned, "triangle") + " of " +
                        std::to_string(instance.mesh->Elements()) + " in this mesh " + (turned == 1 ? "is" : "are") +
                        " wound against the vertex normals" +
                        (line > 0 ? ", the first on line " + std::to_string(line) + " of its file" : "") +
                        "; the normals decide which side is the front");
   }
+  return mistakes;
 }
+
+// One question stays one thought.
+// clang-format off
+constexpr Question questions[] = {
+    {Effort::warning, SceneFault{NothingInView}},
+    {Effort::warning, SceneFault{Unlit}},
+    {Effort::warning, SceneFault{FlareOfNothing}},
+    {Effort::warning, SceneFault{CameraInside}},
+    {Effort::warning, ShapeFault{"this shape has a texture but no texture coordinates",
+      [](const Instance& i, const Inspection&) { return i.material->texture && HasNoUv(i); }}},
+    {Effort::warning, ShapeFault{"this shape has a specular map but no texture coordinates",
+      [](const Instance& i, const Inspection&) { return i.material->specular_map && HasNoUv(i); }}},
+    {Effort::warning, ShapeFault{"this shape has a specular map but neither ks nor a mirror that it could multiply",
+      [](const Instance& i, const Inspection&) { return i.material->specular_map && !HasSpecular(*i.material); }}},
+    {Effort::warning, ShapeFault{"this shape has a color but no ka, kd or ks, and is black",
+      [](const Instance& i, const Inspection& all) {
+        const RenderMode mode = all.settings.mode;  // the tones of gooch are no material's
+        return ShowsLight(mode) && mode != RenderMode::gooch && HasUnusedColor(*i.material);
+      }}},
+    {Effort::warning, ShapeFault{
+      "this shape reflects more than 16 times the light that arrives: kd is from 0 to 1, not from 0 to 255",
+      [](const Instance& i, const Inspection&) { return HasKdOfBytes(*i.material); }}},
+    {Effort::warning, ShapeFault{"this shape emits but lights nothing in mode whitted; -mode path makes it a light",
+      [](const Instance& i, const Inspection& all) {
+        return all.settings.mode == RenderMode::whitted && !all.settings.trace.emissive_solids_light &&
+               IsEmissiveSolid(i);
+      }}},
+    {Effort::warning, ShapeFault{
+      "this shape emits but lights nothing with -emission color; -emissive_solids on makes it a light",
+      [](const Instance& i, const Inspection& all) {
+        return all.settings.mode == RenderMode::path && !EmitsRadiance(all.settings) &&
+               !all.settings.trace.emissive_solids_light && IsEmissiveSolid(i);
+      }}},
+    {Effort::check, PlacedFaults{ShapesOutOfView}},
+    {Effort::check, PlacedFaults{TurnedMeshes}},
+    {Effort::hint, PlacedFaults{LampMistakes}},
+    {Effort::hint, PlacedFaults{ContactMistakes}},
+};
+// clang-format on
 
 }  // namespace
 
@@ -218,32 +252,17 @@ int SolidsAround(const World& world, const R3::Point& point, const std::function
 std::vector<std::string> PlainMistakes(const World& world, const RenderSettings& settings) {
   constexpr std::size_t most_instances = 10'000;  // 4 ms: 1,200 instructions each, counted by cachegrind
   if (world.Instances().size() > most_instances) return {};
-  std::vector<std::string> mistakes = SceneMistakes(world, settings, false);
-  AddShapeMistakes(mistakes, world, settings);
-  return mistakes;
+  return Ask(questions, {world, settings, nullptr, Effort::warning});
 }
 
 std::vector<std::string> RenderHints(const World& world, const Accelerator& accelerator,
                                      const RenderSettings& settings) {
-  std::vector<std::string> hints;
-  if (!ShowsLight(settings.mode)) return hints;
-  if (settings.mode == RenderMode::whitted && HasFewLamps(world)) hints = LampMistakes(world, settings);
-  for (std::string& hint : PlainContactMistakes(world, accelerator, settings)) hints.push_back(std::move(hint));
-  return hints;
+  if (!ShowsLight(settings.mode)) return {};
+  return Ask(questions, {world, settings, &accelerator, Effort::hint});
 }
 
 std::vector<std::string> LikelyMistakes(const World& world, const RenderSettings& settings) {
-  std::vector<std::string> mistakes = SceneMistakes(world, settings, true);
-  AddShapeMistakes(mistakes, world, settings);
-  const R3::Point eye = settings.view.value_or(world.scene().camera).eye;
-  const auto inward = InwardSides(settings.view.value_or(world.scene().camera), settings);
-  Point(mistakes, world, "lies outside the view", [&](const Instance& i) {
-    return IsOutsideView(world, i, eye, inward) && !IsWallAround(WorldBounds(world, i), eye);
-  });
-  AddTurnedMeshes(mistakes, world);
-  for (std::string& mistake : LampMistakes(world, settings)) mistakes.push_back(std::move(mistake));
-  for (std::string& mistake : ContactMistakes(world, settings)) mistakes.push_back(std::move(mistake));
-  return mistakes;
+  return Ask(questions, {world, settings});
 }
 
 }  // namespace ray

@@ -1,4 +1,4 @@
-#include "source/app/report/LampCheck.h"
+#include "source/app/report/Questions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,26 +182,21 @@ std::string DifferenceOfModes(const World& world, const RenderSettings& settings
 }
 
 /// Points out meshes that are as many lamps as they have triangles.
-void AddMeshesOfLamps(std::vector<std::string>& mistakes, const World& world, const RenderSettings& settings) {
-  if (EmitsRadiance(settings)) return;
-  const auto is_many = [&](const Instance& i) {
-    return i.mesh && i.Emits() && i.mesh->Elements() > 1 && !IsOneLamp(i, settings.trace.emissive_meshes);
-  };
-  for (const Instance& instance : world.Instances()) {
-    if (!is_many(instance)) continue;
-    const std::string triangles = std::to_string(instance.mesh->Elements());
-    const auto more = std::ranges::count_if(world.Instances(), is_many) - 1;
-    mistakes.push_back(PlaceOf(world, instance) + ": warning: each of the " + triangles +
-                       " triangles of this mesh is a lamp, and all together light up to " + triangles +
-                       " times as strongly as one: a finer mesh would be brighter; -emissive_meshes whole makes the "
-                       "mesh one lamp" +
-                       (more > 0 ? " (and " + std::to_string(more) + " more)" : ""));
-    return;
-  }
+std::vector<std::string> MeshesOfLamps(const World& world, const RenderSettings& settings) {
+  if (EmitsRadiance(settings)) return {};
+  std::vector<const Instance*> many;
+  for (const Instance& i : world.Instances())
+    if (i.mesh && i.Emits() && i.mesh->Elements() > 1 && !IsOneLamp(i, settings.trace.emissive_meshes))
+      many.push_back(&i);
+  if (many.empty()) return {};
+  const std::string triangles = std::to_string(many[0]->mesh->Elements());
+  return {WarningAt(world, *many[0]) + "each of the " + triangles +
+          " triangles of this mesh is a lamp, and all together light up to " + triangles +
+          " times as strongly as one: a finer mesh would be brighter; -emissive_meshes whole makes the mesh one lamp" +
+          AndMore(many.size())};
 }
 
-}  // namespace
-
+/// True where comparing the light of lamps takes no more than some milliseconds.
 bool HasFewLamps(const World& world) {
   constexpr std::int64_t many = 64;       // 13 ms, since 64 places are drawn on each for 64 places that are lit
   constexpr std::int64_t triangles = 64;  // that take as long as another shape
@@ -211,15 +206,19 @@ bool HasFewLamps(const World& world) {
   return lamps <= many * triangles;
 }
 
-std::vector<std::string> LampMistakes(const World& world, const RenderSettings& settings) {
-  std::vector<std::string> mistakes;
+}  // namespace
+
+std::vector<std::string> LampMistakes(const Inspection& inspection) {
+  const auto& [world, settings, accelerator, effort] = inspection;
+  const bool is_quick = settings.mode == RenderMode::whitted && HasFewLamps(world);
+  if (effort != Effort::check && !is_quick) return {};
   const bool is_of_light = settings.mode == RenderMode::whitted || settings.mode == RenderMode::path;
-  if (!is_of_light || std::ranges::none_of(world.Instances(), &Instance::Emits)) return mistakes;
-  AddMeshesOfLamps(mistakes, world, settings);
+  const auto lamp = std::ranges::find_if(world.Instances(), &Instance::Emits);
+  if (!is_of_light || lamp == world.Instances().end()) return {};
+  std::vector<std::string> mistakes = MeshesOfLamps(world, settings);
   if (settings.trace.emission == Emission::color) return mistakes;  // then the modes are alike
   if (const std::string difference = DifferenceOfModes(world, settings); !difference.empty())
-    mistakes.push_back(PlaceOf(world, *std::ranges::find_if(world.Instances(), &Instance::Emits)) +
-                       ": warning: " + difference);
+    mistakes.push_back(WarningAt(world, *lamp) + difference);
   return mistakes;
 }
 

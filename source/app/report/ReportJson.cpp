@@ -103,7 +103,7 @@ Json ErrorJson(const RunStats& record) {
 
 Json StopJson(const RunStats& record) {
   const Budget& budget = record.options.render.budget;
-  Json json = {{"reason", record.stop}, {"confidence", budget.confidence}};
+  Json json = {{"reason", record.stopped_by}, {"confidence", budget.confidence}};
   json["seconds"] = budget.seconds > 0 ? Json(budget.seconds) : Json();
   json["error"] =
       budget.error ? Json{{"target", budget.error->value}, {"unit", ErrorUnitName(budget.error->unit)}} : Json();
@@ -136,7 +136,7 @@ Json SceneJson(const RunStats& record) {
 Json SecondsJson(const RunStats& record) {
   const auto& seconds = record.seconds;
   return {{"load", seconds.load},       {"build", seconds.build},   {"render", seconds.render},
-          {"denoise", seconds.denoise}, {"guides", seconds.guides}, {"write", seconds.write},
+          {"denoise", record.denoise_seconds}, {"guides", record.guide_seconds}, {"write", seconds.write},
           {"wall", seconds.wall},       {"cpu", seconds.cpu}};
 }
 

@@ -162,7 +162,7 @@ void RunLog::Rendered(const RenderResult& result) {
   stats_.seconds.wall = watch_.Total();
   stats_.Take(result);
   if (stats_.options.explain && result.IsComplete()) PrintError("raypro: " + ExplainParts(stats_));
-  if (!result.IsComplete()) stats_.stop = StopSignalName();
+  if (!result.IsComplete()) stats_.stopped_by = StopSignalName();
   const RenderSettings& render = stats_.options.render;
   constexpr std::int64_t fewest = 1000;  // of whose pixels 0.1 % is one
   if (result.has_outliers && result.pixels_total >= fewest)

@@ -110,8 +110,8 @@ std::string DenoiserText(const RunStats& record) {
 }
 
 std::string StopText(const RunStats& record) {
-  const bool has_stalled = record.stop == stop_names[static_cast<std::size_t>(Stop::stall)];
-  return (has_stalled ? "an error that does not fall" : record.stop) +
+  const bool has_stalled = record.stop == Stop::stall;
+  return (has_stalled ? "an error that does not fall" : record.stopped_by) +
          (record.seconds.shared > 0 ? " after " + Fixed(record.seconds.shared, 2) + " s" : "");
 }
 
@@ -162,27 +162,10 @@ std::string SavedText(const RunStats& record) {
 }  // namespace
 
 void RunStats::Take(const RenderResult& result) {
+  RenderSummary::operator=(result);
   width = result.image.Width();
   height = result.image.Height();
-  pixels_done = result.pixels_done;
-  pixels_total = result.pixels_total;
-  rays = result.rays;
-  rays_before = result.rays_before;
-  share_cut = result.share_cut;
-  stop = stop_names[static_cast<std::size_t>(result.stop)];
-  samples = result.samples;
-  block_samples = result.block_samples;
-  block_places = result.block_places;
-  two_streams = result.two_streams;
-  planned_samples = result.planned_samples;
-  passes = result.passes;
-  error = result.error;
-  error_before_denoising = result.error_before_denoising;
-  denoised_by = result.denoised_by;
-  seconds.denoise = result.denoise_seconds;
-  seconds.guides = result.guide_seconds;
-  guide_rays = result.guide_rays;
-  refinement = result.refinement;
+  stopped_by = stop_names[static_cast<std::size_t>(result.stop)];
 }
 
 int ThreadsOf(const RenderSettings& settings) {
@@ -220,7 +203,7 @@ std::string LimitsOfLight(const RunStats& record) { return BiasText(record, true
 std::string FinalLine(const RunStats& record) {
   return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) + " " +
          SppText(record) + " " + Fixed(record.seconds.wall, 2) + " s " + Fixed(MegaraysPerSecond(record), 1) +
-         " Mrays/s" + (record.IsComplete() ? "" : " (stopped by " + record.stop + ", " + PixelsText(record) + ")") +
+         " Mrays/s" + (record.IsComplete() ? "" : " (stopped by " + record.stopped_by + ", " + PixelsText(record) + ")") +
          "\n";
 }
 
@@ -269,8 +252,8 @@ std::string Statistics(const RunStats& record) {
          count("last-hit hits", cost.cache_hits) + "tests per ray       nodes     boxes  primitives    hits\n" + costs +
          "time\n" + line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
          line("render", Seconds(seconds.render)) +
-         (seconds.denoise > 0
-              ? line("  denoise", Seconds(seconds.denoise)) + line("    guides", Seconds(seconds.guides))
+         (record.denoise_seconds > 0
+              ? line("  denoise", Seconds(record.denoise_seconds)) + line("    guides", Seconds(record.guide_seconds))
               : "") +
          line("write", Seconds(seconds.write)) + line("wall", Seconds(seconds.wall)) +
          line("cpu", Seconds(seconds.cpu)) + "run\n" + count("threads", record.threads) +
@@ -282,7 +265,7 @@ std::string Statistics(const RunStats& record) {
          line("samples", std::to_string(record.samples.least) + " to " + std::to_string(record.samples.most) +
                              " per pixel, mean " + Fixed(record.samples.mean, 2)) +
          ErrorLines(record, line) + line("bias from", Listed(record.biased) + DarknessText(record)) +
-         line("stopped", record.stop);
+         line("stopped", record.stopped_by);
 }
 
 }  // namespace ray

@@ -11,8 +11,8 @@
 
 namespace ray {
 
-/// Everything about a run that is written into the image, a report or the terminal.
-struct RunStats {
+/// Everything about a run that is written into the image, a report or the terminal: what its render gave, and more.
+struct RunStats : RenderSummary {
   RenderOptions options;
   std::string command;  // as typed
   std::string picture;  // the file it went to
@@ -23,41 +23,23 @@ struct RunStats {
     std::int64_t nodes = 0, instances = 0, primitives = 0, lights = 0;
   } scene;
 
-  RayCounts rays;
-  std::uint64_t guide_rays = 0;          // a part of them
-  std::uint64_t rays_before = 0;         // of an earlier run, or of the parts that were assembled
-  std::optional<Refinement> refinement;  // see RenderResult
-  double share_cut = 0;                  // see RenderResult
   std::string accelerator;               // the kind that was built
   std::size_t structure_bytes = 0;
   struct {
     double load = 0, build = 0, render = 0, write = 0, wall = 0, cpu = 0;
-    double denoise = 0;  // a part of render
-    double guides = 0;   // a part of that
     double shared = 0;   // since machines began on this image together; 0 where no clock counts it
   } seconds;
   std::int64_t peak_memory = 0;  // bytes
   int threads = 1;               // that work
-  int width = 0, height = 0;     // of the picture that is written
-  std::int64_t pixels_done = 0, pixels_total = 0;
+  int width = 0, height = 0;     // of the image that is written
   std::vector<std::string> warnings;
-  std::string stop = "samples";  // samples, time, error, or the name of a signal
-  SampleCounts samples;
-  std::vector<std::uint32_t> block_samples;  // per pixel and stream, by blocks of the film
-  std::vector<std::uint8_t> block_places;    // see RenderResult
-  bool two_streams = false;
-  std::uint32_t planned_samples = 1;
-  std::vector<Pass> passes;
-  std::optional<ErrorEstimate> error;
-  std::optional<ErrorEstimate> error_before_denoising;
-  std::string denoised_by;           // see RenderResult
+  std::string stopped_by = "samples";  // samples, time, error, or the name of a signal
   std::optional<double> true_error;  // in the unit of `error`, beside -reference
   std::vector<std::string> needs, biased;
   std::string kernel;
 
   /// What a render gave.
   void Take(const RenderResult& result);
-  bool IsComplete() const { return stop == "samples" || stop == "time" || stop == "error"; }
 };
 
 /// The number of threads that render.

@@ -41,6 +41,13 @@ struct ErrorEstimate {
 
   bool IsMostlyOutliers() const { return outlier_share > 0.5; }
   bool IsMostlyUnseen() const { return unseen_share > 0.5; }
+
+  /// Calls visit with each field of an estimate, const or not, in the order of files.
+  template <class Estimate, class Visit>
+  static void ForEachField(Estimate& e, const Visit& visit) {
+    visit(e.unit), visit(e.estimate), visit(e.low), visit(e.high), visit(e.worst_block), visit(e.worst_block_at);
+    visit(e.outlier_share), visit(e.unseen_share), visit(e.freedom);
+  }
 };
 
 /// How errors are counted: the unit, the confidence of the interval in (0, 1), and whether the picture is sRGB encoded.

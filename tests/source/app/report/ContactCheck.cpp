@@ -1,4 +1,4 @@
-#include "source/app/report/ContactCheck.h"
+#include "source/app/report/Questions.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ std::string Mistakes(const std::string& text, const std::string& mesh = "") {
   const ParsedScene parsed = Parse(file, {});
   const World world(parsed.scene);
   std::string all;
-  for (const std::string& mistake : ContactMistakes(world, {})) all += mistake + "\n";
+  for (const std::string& mistake : ContactMistakes({world, RenderSettings()})) all += mistake + "\n";
   return all;
 }
 

@@ -1,4 +1,4 @@
-#include "source/app/report/LampCheck.h"
+#include "source/app/report/Questions.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ const RenderSettings whitted = InMode(RenderMode::whitted), path = InMode(Render
 std::string SaidOf(const std::string& text, const RenderSettings& settings) {
   const project::Stage stage(project::FromText(text));
   std::string all;
-  for (const std::string& mistake : LampMistakes(stage.world, settings)) all += mistake + "\n";
+  for (const std::string& mistake : LampMistakes({stage.world, settings})) all += mistake + "\n";
   return all;
 }
 
@@ -124,7 +124,7 @@ TEST(LampCheck, AMeshOfManyLampsIsPointedOut) {
   const std::string text = "dir_light 1e6 1e6 1e6  0 -1 0\nmaterial 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  1 1 0\n";
   const auto said = [&](const std::string& shapes, const RenderSettings& settings) {
     const project::Stage stage(Parse(WriteFile(folder / "a.scn", text + shapes), {}).scene);
-    const auto mistakes = LampMistakes(stage.world, settings);
+    const auto mistakes = LampMistakes({stage.world, settings});
     return mistakes.empty() ? "" : mistakes[0];
   };
   const std::string meshes = "mesh 0 a.obj\nbegin -1  1 0 0 3  0 1 0 0  0 0 1 0  0 0 0 1 mesh 0 a.obj end\n";

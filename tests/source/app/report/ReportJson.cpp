@@ -23,7 +23,7 @@ RunStats ExampleStats() {
   record.pixels_done = 3;
   record.pixels_total = 4;
   record.width = record.height = 2;
-  record.stop = "SIGINT";
+  record.stopped_by = "SIGINT";
   record.samples.mean = 1;
   return record;
 }
@@ -96,7 +96,7 @@ TEST(RunStats, TheLastLineOfARunSaysWhatItMade) {
             "out.png 2x2 5.5 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 5.5 of 1000 samples per pixel done)\n");
   EXPECT_EQ(SettingsInPicture(record)["samples"], "5.5");
   for (const char* stop : {"samples", "time", "error"}) {
-    record.stop = stop;
+    record.stopped_by = stop;
     EXPECT_EQ(FinalLine(record), "out.png 2x2 1000 spp 2.00 s 14.2 Mrays/s\n");
   }
   record.options.render.budget.seconds = 2;
