@@ -24,4 +24,7 @@ std::string Rounded(double number, int digits);
 /// A count or a mean of counts, below 2^63, that reads back as the same number: "1000000", "24.3125".
 std::string CountText(double count);
 
+/// A number with at most `digits` digits that count, but all those before the point, and never as a power of ten.
+std::string Plain(double number, int digits);
+
 }  // namespace ray

@@ -4,14 +4,7 @@
 #include <cctype>
 #include <type_traits>
 
-#include "source/view/commands/Cameras.h"
-#include "source/view/commands/FlatImage.h"
-#include "source/view/commands/Images.h"
-#include "source/view/commands/Rays.h"
-#include "source/view/commands/Rendering.h"
-#include "source/view/commands/Scenes.h"
-#include "source/view/commands/Sections.h"
-#include "source/view/commands/Showing.h"
+#include "source/view/commands/Commands.h"
 
 namespace ray {
 namespace {
@@ -178,11 +171,11 @@ std::vector<KeyBinding> ComparingAndTheRest() {
 }
 
 std::vector<KeyBinding> Editing() {
-  const auto edit = [](void (SceneEditor::*act)(ViewerState&)) {
-    return [act](ViewerState& viewer) { (viewer.editor.*act)(viewer); };
+  const auto edit = [](void (SceneEditor::*act)()) {
+    return [act](ViewerState& viewer) { (viewer.editor.*act)(); };
   };
   const auto move = [](double steps) {
-    return [steps](ViewerState& viewer) { viewer.editor.MoveBySteps(viewer, steps); };
+    return [steps](ViewerState& viewer) { viewer.editor.MoveBySteps(steps); };
   };
   constexpr double many = 10;
   return {

@@ -3,12 +3,7 @@
 #include <utility>
 
 #include "R1/Elementary.h"
-#include "source/view/commands/Cameras.h"
-#include "source/view/commands/FlatImage.h"
-#include "source/view/commands/Rays.h"
-#include "source/view/commands/Rendering.h"
-#include "source/view/commands/Sections.h"
-#include "source/view/commands/Showing.h"
+#include "source/view/commands/Commands.h"
 
 namespace ray {
 namespace {
@@ -32,9 +27,9 @@ void PointerInput::On(const ButtonEvent& event, ViewerState& viewer) {
   }
   if (!IsHeldBy(event.button)) return;
   const bool is_click = press_->is_click && press_->what != Drags::section;
-  viewer.editor.EndDrag(viewer);
-  if (viewer.measured_from) viewer.notices.Redraw();
-  viewer.measured_from.reset();
+  viewer.editor.EndDrag();
+  if (viewer.section_pane.measured_from) viewer.notices.Redraw();
+  viewer.section_pane.measured_from.reset();
   press_.reset();
   viewer.navigator.EndDrag();
   if (is_click) OnClick(event, viewer);
@@ -44,12 +39,12 @@ void PointerInput::Begin(const ButtonEvent& event, ViewerState& viewer) {
   press_ = Press{event.button, {event.x, event.y}, Drags::view};
   if (viewer.layout().IsOnSection(press_->at)) {
     press_->what = Drags::section;
-    viewer.measured_from = press_->at;
+    viewer.section_pane.measured_from = press_->at;
   } else if (viewer.FlatJob()) {
     press_->what = TakesSlider(viewer, event) ? Drags::slider : Drags::flat;
   } else if (event.button == Button::left && event.modifiers == of_moving) {
     press_->what = Drags::chosen;
-    viewer.editor.BeginDrag(viewer, viewer.RayAt(press_->at));
+    viewer.editor.BeginDrag(viewer.RayAt(press_->at));
   } else if (event.button == Button::right && event.modifiers.control) {
     press_->what = Drags::crop;
   } else {
@@ -58,7 +53,7 @@ void PointerInput::Begin(const ButtonEvent& event, ViewerState& viewer) {
 }
 
 void PointerInput::On(const MoveEvent& event, ViewerState& viewer) {
-  const R2::Point now{event.x, event.y}, last = std::exchange(viewer.pointer, now);
+  const R2::Point now{event.x, event.y}, last = std::exchange(viewer.screen.pointer, now);
   if (viewer.layout().IsOnSection(last) || viewer.layout().IsOnSection(now)) viewer.notices.Redraw();
   if (!press_ || press_->what == Drags::section) return;
   press_->is_click = press_->is_click && Distance(now, press_->at) <= click_reach;
@@ -71,7 +66,7 @@ void PointerInput::On(const MoveEvent& event, ViewerState& viewer) {
     case Drags::crop:
       return Crop(viewer, press_->at, now);
     case Drags::chosen:
-      return viewer.editor.DragTo(viewer, viewer.RayAt(now));
+      return viewer.editor.DragTo(viewer.RayAt(now));
     case Drags::view:
       return viewer.navigator.DragTo(now);
     case Drags::section:

@@ -4,12 +4,8 @@
 #include <utility>
 
 #include "source/view/KeyBindings.h"
-#include "source/view/commands/Rendering.h"
-#include "source/view/commands/Scenes.h"
-#include "source/view/commands/Showing.h"
-#include "source/view/show/Frames.h"
-#include "source/view/show/LinesInSpace.h"
-#include "source/view/show/StateText.h"
+#include "source/view/commands/Commands.h"
+#include "source/view/show/Show.h"
 
 namespace ray {
 namespace {
@@ -24,7 +20,7 @@ Viewer::Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene
 }
 
 void Viewer::Handle(const Event& event) {
-  if (state_.shows_panels || state_.shows_help) {
+  if (state_.shows.panels || state_.shows.help) {
     if (!std::holds_alternative<TickEvent>(event)) state_.notices.Redraw();
     const bool is_taken = state_.panels->Take(event, state_);
     const auto* button = std::get_if<ButtonEvent>(&event);
@@ -47,11 +43,11 @@ void Viewer::On(const KeyEvent& event) {
   }
   for (const KeyBinding& binding : KeyBindings()) {
     if (binding.key != event.key || binding.modifiers != event.modifiers) continue;
-    if (event.key != Key::q) state_.was_asked_to_quit = false;
+    if (event.key != Key::q) state_.end.was_asked = false;
     const std::string before = state_.notices.TakeMessage();
     binding.act(state_);
     // What was seen last is what is saved, of the end and of a screenshot.
-    if (state_.is_closed || state_.notices.Message().empty()) state_.notices.PutBack(before);
+    if (state_.end.is_closed || state_.notices.Message().empty()) state_.notices.PutBack(before);
     state_.notices.Redraw();
     return;
   }
@@ -59,11 +55,11 @@ void Viewer::On(const KeyEvent& event) {
 
 void Viewer::On(const ResizeEvent& event) {
   const DrawingSize size{std::max(1, event.width), std::max(1, event.height)};
-  state_.scale = event.scale;
+  state_.screen.scale = event.scale;
   state_.panels->SetScale(event.scale);
-  state_.section_drawing.reset();
-  if (size == state_.size) return;
-  state_.size = size;
+  state_.section_pane.drawing.reset();
+  if (size == state_.screen.size) return;
+  state_.screen.size = size;
   state_.crop.reset();  // its pixels are others now
   state_.pictures.Touch();
   state_.notices.RedrawLines();
@@ -88,7 +84,7 @@ bool Viewer::Update() {
   if (state_.navigator.Changes() != changes_seen_) {
     changes_seen_ = state_.navigator.Changes();
     state_.pictures.TouchView();
-    state_.section_drawing.reset();
+    state_.section_pane.drawing.reset();
     if (ShowsFrameOfQuad(state_) != lines_have_quad_frame_) state_.notices.RedrawLines();
     state_.notices.Redraw();
   }
@@ -125,14 +121,14 @@ std::string Viewer::TextOfPanels() { return ray::TextOfPanels(state_); }
 
 const std::vector<PanelItem>& Viewer::ItemsOfPanels() const {
   static const std::vector<PanelItem> none;
-  return state_.shows_panels || state_.shows_help ? state_.panels->Items() : none;
+  return state_.shows.panels || state_.shows.help ? state_.panels->Items() : none;
 }
 
 void Viewer::ShowPanels(const PanelSettings& look) { ray::ShowPanels(state_, look); }
 
 bool Viewer::TakeDetail(const DrawingDetail& detail) {
-  const bool is_news = state_.shows_panels && WordsFor(detail) != WordsFor(state_.detail);
-  state_.detail = detail;
+  const bool is_news = state_.shows.panels && WordsFor(detail) != WordsFor(state_.screen.detail);
+  state_.screen.detail = detail;
   return is_news;
 }
 

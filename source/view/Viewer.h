@@ -31,7 +31,7 @@ class Viewer {
   std::shared_ptr<const Surfaces> FacesInMotion() { return state_.scene.FacesInMotion(); }
   /// Whether a picture is being traced, so that Update is soon worth a call.
   bool IsBusy() const { return state_.pictures.IsBusy() || state_.accelerators.IsBusy(); }
-  bool IsClosed() const { return state_.is_closed; }
+  bool IsClosed() const { return state_.end.is_closed; }
 
   /// The title as of the last Update. Time alone changes it, a few times a second; see TitleOf.
   std::string Title() const;
@@ -59,7 +59,7 @@ class Viewer {
   const RayInspector& Rays() const { return state_.rays; }
   const std::optional<Pick>& Picked() const { return state_.selection.pick; }
   const std::string& Message() const { return state_.notices.Message(); }
-  DrawingSize Size() const { return state_.size; }
+  DrawingSize Size() const { return state_.screen.size; }
 
  private:
   void On(const KeyEvent& event);

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "source/accelerate/Accelerator.h"
 #include "source/parse/Parse.h"
 #include "source/render/RenderSettings.h"
-#include "source/view/live/ReferenceImage.h"
+#include "source/view/compare/ReferenceImage.h"
 #include "source/view/live/RenderJob.h"
 #include "source/view/panels/Panels.h"
 
@@ -63,7 +64,9 @@ class ViewerHost {
   virtual std::vector<ShownOption> ShownOptions() { return {}; }
   /// What the viewer goes on with once the option has the value, empty for its default; without a reference. Throws an
   /// exception whose what() is for the user where that cannot be.
-  virtual ViewerSettings ChangeOption(const std::string& name, const std::string& value);
+  virtual ViewerSettings ChangeOption(const std::string& name, const std::string&) {
+    throw std::invalid_argument("there is no option " + name);
+  }
   /// What the viewer goes on with once it shows this scene, which may have settings of its own; nothing to go on as
   /// before. Throws as ChangeOption.
   virtual std::optional<ViewerSettings> SettingsWith(const Scene&) { return {}; }

@@ -1,10 +1,28 @@
 #include "source/view/ViewerState.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "source/scene/CameraText.h"
 
 namespace ray {
+
+Layout Layout::Of(const DrawingSize& all, double column, double bar, bool has_section) {
+  const int width = std::max(1, all.width - static_cast<int>(column));
+  const int height = std::max(1, all.height - static_cast<int>(bar));
+  const int view = has_section ? std::max(1, width / 2) : width;
+  return {{view, height}, {width - view, height}};
+}
+
+bool Layout::IsOnSection(const R2::Point& position) const {
+  return position.x >= view.width && position.x < view.width + section.width && position.y >= 0 &&
+         position.y < section.height;
+}
+
+PixelBox Layout::PlaceFor(double width, double height) const {
+  const double scale = std::min(view.width / width, view.height / height);
+  return {(view.width - scale * width) / 2, (view.height - scale * height) / 2, scale * width, scale * height};
+}
 
 ViewerState::ViewerState(ViewerSettings begin, const LoadedScene& shown, ViewerHost& around)
     : host(around),
@@ -13,20 +31,20 @@ ViewerState::ViewerState(ViewerSettings begin, const LoadedScene& shown, ViewerH
                 {settings.render.width, settings.render.height}),
       bookmarks(settings.scene),
       panels(MakePanels()),
-      size{settings.render.width, settings.render.height} {
+      screen{{settings.render.width, settings.render.height}} {
   panels->SetLook(settings.panels);
   pictures.SetReference(settings.reference);
 }
 
 Layout ViewerState::layout() const {
-  return Layout::Of(size, shows_panels ? panels->Width(size.width) : 0, shows_panels ? panels->HeightOfBar() : 0,
-                    section.IsShown());
+  return Layout::Of(screen.size, shows.panels ? panels->Width(screen.size.width) : 0,
+                    shows.panels ? panels->HeightOfBar() : 0, section.IsShown());
 }
 
 RenderSettings ViewerState::SettingsOfView() const {
   RenderSettings render = settings.render;
-  render.width = size.width;
-  render.height = size.height;
+  render.width = screen.size.width;
+  render.height = screen.size.height;
   const Camera &own = scene.Parsed().camera, &now = navigator.camera();
   // The scene's own view is left unsaid, so that the same command as without a viewer makes the same picture.
   if (CameraLine(now) != CameraLine(own)) render.view = now;
@@ -46,10 +64,7 @@ std::optional<R3::Point> ViewerState::PointAt(const R2::Point& position) const {
   return scene.world().At(ray, *hit).position;
 }
 
-const RenderJob* ViewerState::FlatJob() const {
-  if (!flat.IsShown()) return nullptr;
-  return pictures.IsLive() ? pictures.Live() : pictures.Trace();
-}
+const RenderJob* ViewerState::FlatJob() const { return flat.IsShown() ? pictures.Job() : nullptr; }
 
 RenderSettings ViewerState::SettingsOfPicture() const {
   const RenderJob* job = FlatJob();

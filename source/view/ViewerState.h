@@ -4,9 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "source/draw/DrawingDetail.h"
 #include "source/view/FileWatch.h"
-#include "source/view/Layout.h"
 #include "source/view/Notices.h"
 #include "source/view/ViewedScene.h"
 #include "source/view/ViewerHost.h"
@@ -14,13 +12,13 @@
 #include "source/view/camera/Navigator.h"
 #include "source/view/compare/ImageStrip.h"
 #include "source/view/edit/SceneEditor.h"
-#include "source/view/live/AcceleratorComparisons.h"
-#include "source/view/live/RenderStatus.h"
+#include "source/view/live/AcceleratorCost.h"
+#include "source/view/live/JobStatus.h"
 #include "source/view/live/TracedPictures.h"
 #include "source/view/overlay/Pick.h"
 #include "source/view/overlay/RayInspector.h"
+#include "source/view/overlay/SceneLines.h"
 #include "source/view/overlay/SectionView.h"
-#include "source/view/overlay/SpaceOverlays.h"
 #include "source/view/overlay/TracedQuad.h"
 #include "source/view/panels/Panels.h"
 
@@ -32,6 +30,22 @@ struct Selection {
   std::optional<std::size_t> node;  // of the scene graph, into World::Nodes
 };
 
+/// The pieces of the drawing, from the left: the view of the scene; the cross section, where it is shown; and the
+/// column of panels, where they are, as high as all of it. Their status bar is above the former two.
+struct Layout {
+  /// `column`: how wide panels are, and `bar` how high their status bar; 0 where they are hidden.
+  static Layout Of(const DrawingSize& all, double column, double bar, bool has_section);
+
+  /// Whether a position in the drawing is on the cross section.
+  bool IsOnSection(const R2::Point& position) const;
+  /// A position in the drawing as one on the cross section.
+  R2::Point OnSection(const R2::Point& position) const { return {position.x - view.width, position.y}; }
+  /// Where an image of that many pixels is in the view, as large as there is room, in the middle.
+  PixelBox PlaceFor(double width, double height) const;
+
+  DrawingSize view, section;  // the former at least 1 x 1, the latter of width 0 where it is hidden
+};
+
 /// All that a viewer knows, each part with rules of its own. The commands in source/view/commands change it, as keys
 /// (KeyBindings.h), the pointer (PointerInput.h) and panels ask for; what is drawn is made of it in source/view/show.
 struct ViewerState {
@@ -41,15 +55,17 @@ struct ViewerState {
 
   ViewerHost& host;
   ViewerSettings settings;
-  int options_number = 0;      // another after each change of an option
-  std::string option_problem;  // why the last change of an option was refused; empty when it was not
+  struct {
+    int number = 0;       // another after each change of an option
+    std::string problem;  // why the last one was refused; empty when it was not
+  } option_changes;
   Notices notices;
 
   ViewedScene scene;
   FileWatch watch;  // over its files
   Navigator navigator;
   Bookmarks bookmarks;
-  SceneEditor editor;
+  SceneEditor editor{*this};
   Selection selection;
 
   TracedPictures pictures;
@@ -73,20 +89,28 @@ struct ViewerState {
   SpaceOverlays overlays;
   RayInspector rays;
   SectionView section;
-  std::shared_ptr<const SliceAxes> section_drawing;  // null when it must be made again
-  DrawingSize section_size;                          // of that
-  PanelTheme section_theme = PanelTheme::dark;       // likewise
-  bool arrows_move_section = false;                  // else the pixel
+  struct {
+    std::shared_ptr<const SliceAxes> drawing;  // null when it must be made again
+    DrawingSize size;                          // of that
+    PanelTheme theme = PanelTheme::dark;       // likewise
+    bool takes_arrows = false;                 // else the pixel
+    std::optional<R2::Point> measured_from;    // where the pointer was pressed on it, while it is
+  } section_pane;
 
   const std::unique_ptr<Panels> panels;
-  bool shows_panels = false, shows_help = false, lists_scenes = false;
+  struct {
+    bool panels = false, help = false, scenes = false;
+  } shows;
 
-  DrawingDetail detail;  // that the preview was drawn in last
-  DrawingSize size;
-  double scale = 1;                        // of the screen: pixels per unit of length
-  R2::Point pointer{-1, -1};               // where it was last seen, in pixels of the drawing
-  std::optional<R2::Point> measured_from;  // where on the cross section it was pressed, while it is
-  bool was_asked_to_quit = false, is_closed = false;
+  struct {
+    DrawingSize size;
+    double scale = 1;           // pixels per unit of length
+    R2::Point pointer{-1, -1};  // where it was last seen, in pixels of the drawing
+    DrawingDetail detail{};     // that the preview was drawn in last
+  } screen;
+  struct {
+    bool was_asked = false, is_closed = false;
+  } end;
 
   Layout layout() const;
   /// The settings to render the present view with.
@@ -110,7 +134,7 @@ struct ViewerState {
   R2::Point InPicture(const R2::Point& position) const;
   /// Where in the drawing is what a job has rendered of it: a crop, or all.
   PixelBox PlaceOf(const RenderJob& job) const;
-  R2::Point PictureUnderPointer() const { return InPicture(pointer); }
+  R2::Point PictureUnderPointer() const { return InPicture(screen.pointer); }
 
   /// The image of key S in space; nothing where it is not shown.
   std::optional<TracedQuad> Quad() const;

@@ -1,4 +1,4 @@
-#include "source/view/commands/Cameras.h"
+#include "source/view/commands/Commands.h"
 
 #include <numbers>
 

@@ -1,9 +1,11 @@
-#include "source/view/commands/Rays.h"
+#include "source/view/commands/Commands.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "source/text/Words.h"
-#include "source/view/commands/Sections.h"
 
 namespace ray {
 namespace {
@@ -29,7 +31,7 @@ std::optional<TracedQuad::Meeting> PixelOnQuad(const ViewerState& viewer, const 
 }
 
 void ReportPixel(ViewerState& viewer) {
-  viewer.arrows_move_section = false;
+  viewer.section_pane.takes_arrows = false;
   const PixelTrace& pixel = *viewer.rays.Pixel();
   viewer.host.Print(RayTree(pixel, viewer.scene.world(), viewer.rays.PixelSettings()));
   viewer.notices.Tell("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
@@ -62,7 +64,7 @@ void DebugPixelAt(ViewerState& viewer, const R2::Point& position) {
 }
 
 void MoveByArrow(ViewerState& viewer, int right, int up) {
-  if (viewer.arrows_move_section) {
+  if (viewer.section_pane.takes_arrows) {
     MoveSection(viewer, up);
   } else if (viewer.rays.StepPixel(viewer.scene.Loaded(), right, up)) {
     ReportPixel(viewer);
@@ -103,7 +105,7 @@ void ToggleRays(ViewerState& viewer, ShownRays kind) {
   static_assert(names.size() == shown_ray_kinds);
   const auto i = static_cast<std::size_t>(kind);
   viewer.rays.Toggle(kind);
-  viewer.section_drawing.reset();
+  viewer.section_pane.drawing.reset();
   viewer.notices.RedrawLines();
   viewer.notices.Tell(std::string(names[i]) + (viewer.rays.Look().shows[i] ? " on" : " off"));
 }
@@ -118,11 +120,66 @@ void SetDebugRays(ViewerState& viewer, const DebugRayCounts& counts) {
   viewer.rays.SetCounts(counts);
   if (viewer.rays.ShowsGrid()) viewer.rays.TraceGrid(viewer.scene.Loaded(), SettingsOfGrid(viewer));
   viewer.rays.TraceAgain(viewer.scene.Loaded());
-  viewer.section_drawing.reset();
+  viewer.section_pane.drawing.reset();
   viewer.notices.RedrawLines();
   viewer.notices.Tell(Counted(static_cast<std::uint64_t>(counts.camera), "camera ray") + " per pixel, " +
                       Counted(static_cast<std::uint64_t>(counts.shadow), "shadow ray") + " per light; cut: 1 of " +
                       Counted(static_cast<std::uint64_t>(counts.spacing), "pixel"));
+}
+
+void ToggleSection(ViewerState& viewer) {
+  viewer.section.Toggle();
+  viewer.section_pane.takes_arrows = viewer.section.IsShown();
+  viewer.section_pane.drawing.reset();
+  viewer.notices.Tell(viewer.section.IsShown() ? "cross section on" : "cross section off");
+}
+
+void ShowSection(ViewerState& viewer, SlicePlane plane) {
+  if (!viewer.section.IsShown()) ToggleSection(viewer);
+  while (viewer.section.Plane() != plane) NextPlane(viewer);
+}
+
+void NextPlane(ViewerState& viewer) {
+  viewer.section.NextPlane();
+  viewer.section_pane.takes_arrows = true;
+  viewer.section_pane.drawing.reset();
+  if (viewer.section.IsShown()) MakeSection(viewer);
+  viewer.notices.Tell("cross section: " + viewer.section.Describe(viewer.screen.size.height));
+}
+
+void MoveSection(ViewerState& viewer, int by) {
+  viewer.section.Move(by, viewer.screen.size.height);
+  viewer.section_pane.takes_arrows = true;
+  viewer.section_pane.drawing.reset();
+  if (viewer.section.IsShown()) MakeSection(viewer);
+  viewer.notices.Tell("cross section: " + viewer.section.Describe(viewer.screen.size.height));
+}
+
+int LineWidth(const ViewerState& viewer) { return std::max(1, static_cast<int>(std::lround(viewer.screen.scale))); }
+
+void MakeSection(ViewerState& viewer) {
+  const PanelTheme theme = viewer.panels->Look().theme;
+  if (viewer.section_pane.drawing && viewer.section_pane.size == viewer.layout().section &&
+      viewer.section_pane.theme == theme)
+    return;
+  viewer.section_pane.size = viewer.layout().section;
+  viewer.section_pane.theme = theme;
+  viewer.section.Cut(viewer.scene.Loaded(), viewer.SettingsOfView(), viewer.navigator.Center(),
+                     viewer.section_pane.size, viewer.rays.Counts());
+  SliceAxes drawing = viewer.section.Drawing(viewer.scene.Loaded(), viewer.rays.Look().WithoutChoice(),
+                                             viewer.panels->Letters(), LineWidth(viewer));
+  if (theme == PanelTheme::light)
+    for (Vertex& vertex : drawing.lines) vertex.color = LineOnLight(vertex.color);
+  viewer.section_pane.drawing = std::make_shared<const SliceAxes>(std::move(drawing));
+}
+
+std::string TextOfSection(const ViewerState& viewer) {
+  if (!viewer.section_pane.drawing || !viewer.layout().IsOnSection(viewer.screen.pointer)) return {};
+  const Layout layout = viewer.layout();
+  return viewer.section.Tell(layout.OnSection(viewer.screen.pointer),
+                             viewer.section_pane.measured_from
+                                 ? std::optional(layout.OnSection(*viewer.section_pane.measured_from))
+                                 : std::nullopt);
 }
 
 }  // namespace ray

@@ -1,12 +1,10 @@
-#include "source/view/commands/Rendering.h"
+#include "source/view/commands/Commands.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "source/scene/CameraText.h"
 #include "source/text/EnumNames.h"
-#include "source/view/commands/Images.h"
-#include "source/view/commands/Scenes.h"
 #include "source/view/live/JobStatus.h"
 
 namespace ray {
@@ -36,8 +34,8 @@ void TellEndedLive(ViewerState& viewer, const RenderJob& job) {
 }  // namespace
 
 void StartTrace(ViewerState& viewer) {
-  const ViewerState::TracedAs as{viewer.scene.Number(), viewer.options_number, CameraLine(viewer.navigator.camera()),
-                                 viewer.size, viewer.crop};
+  const ViewerState::TracedAs as{viewer.scene.Number(), viewer.option_changes.number,
+                                 CameraLine(viewer.navigator.camera()), viewer.screen.size, viewer.crop};
   const bool continues = viewer.pictures.CanContinue() && as == viewer.traced_as;
   viewer.traced_as = as;
   RenderSettings settings = viewer.SettingsOfView();
@@ -55,8 +53,10 @@ void StartTrace(ViewerState& viewer) {
 void Crop(ViewerState& viewer, const R2::Point& from, const R2::Point& to) {
   const R2::Point a = viewer.InPicture(from), b = viewer.InPicture(to);
   const auto pixel = [](double x, int size) { return std::clamp(static_cast<int>(std::floor(x)), 0, size - 1); };
-  const int x0 = pixel(std::min(a.x, b.x), viewer.size.width), x1 = pixel(std::max(a.x, b.x), viewer.size.width) + 1;
-  const int y0 = pixel(std::min(a.y, b.y), viewer.size.height), y1 = pixel(std::max(a.y, b.y), viewer.size.height) + 1;
+  const int x0 = pixel(std::min(a.x, b.x), viewer.screen.size.width),
+            x1 = pixel(std::max(a.x, b.x), viewer.screen.size.width) + 1;
+  const int y0 = pixel(std::min(a.y, b.y), viewer.screen.size.height),
+            y1 = pixel(std::max(a.y, b.y), viewer.screen.size.height) + 1;
   viewer.crop = PixelRectangle{x0, y0, x1, y1};
   viewer.notices.Tell("crop of " + std::to_string(x1 - x0) + "x" + std::to_string(y1 - y0) +
                       " pixels; S renders it, Escape clears it");

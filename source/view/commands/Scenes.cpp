@@ -1,8 +1,7 @@
-#include "source/view/commands/Scenes.h"
+#include "source/view/commands/Commands.h"
 
 #include <utility>
 
-#include "source/view/commands/Showing.h"
 #include "source/view/edit/SceneFiles.h"
 
 namespace ray {
@@ -50,7 +49,7 @@ void TakeScene(ViewerState& viewer, std::shared_ptr<const LoadedScene> scene) {
   MakeFaces(viewer);
   viewer.watch.Watch(viewer.scene.Parsed().files);
   viewer.rays.ForgetAll();
-  viewer.section_drawing.reset();
+  viewer.section_pane.drawing.reset();
   viewer.pictures.Touch();
   viewer.notices.RedrawLines();
 }
@@ -58,19 +57,19 @@ void TakeScene(ViewerState& viewer, std::shared_ptr<const LoadedScene> scene) {
 void ChangeOption(ViewerState& viewer, const std::string& name, const std::string& value) {
   // What is saved at its end is to be the picture of one command.
   if (viewer.pictures.IsUnsaved()) {
-    viewer.option_problem = "an image is being rendered; Escape stops it";
-    return viewer.notices.Tell(viewer.option_problem);
+    viewer.option_changes.problem = "an image is being rendered; Escape stops it";
+    return viewer.notices.Tell(viewer.option_changes.problem);
   }
   ViewerSettings changed;
   try {
     changed = viewer.host.ChangeOption(name, value);
   } catch (const std::exception& error) {
-    viewer.option_problem = error.what();
-    return viewer.notices.Tell(viewer.option_problem);
+    viewer.option_changes.problem = error.what();
+    return viewer.notices.Tell(viewer.option_changes.problem);
   }
-  viewer.option_problem.clear();
+  viewer.option_changes.problem.clear();
   changed.parse.edited = viewer.settings.parse.edited;
-  ++viewer.options_number;
+  ++viewer.option_changes.number;
   const bool is_read_again =
       changed.parse != viewer.settings.parse || changed.accelerator != viewer.settings.accelerator;
   viewer.settings.parse = changed.parse;
@@ -110,7 +109,7 @@ std::string SaveScene(ViewerState& viewer, const std::string& file, const std::s
 }
 
 void ReadFromDisk(ViewerState& viewer) {
-  if (!viewer.editor.MayLose(viewer, "reload the scene")) return;
+  if (!viewer.editor.MayLose("reload the scene")) return;
   auto edited = std::exchange(viewer.settings.parse.edited, nullptr);
   const int number = viewer.scene.Number();
   Reload(viewer);
@@ -137,7 +136,7 @@ void OpenScene(ViewerState& viewer, const std::string& file) {
     viewer.pictures.SetReference(std::move(picture));
     return viewer.notices.Tell("the reference is " + file);
   }
-  if (!viewer.editor.MayLose(viewer, "open another scene")) return;
+  if (!viewer.editor.MayLose("open another scene")) return;
   try {
     ViewerSettings unedited = viewer.settings;
     unedited.parse.edited.reset();
@@ -165,10 +164,10 @@ void OpenNeighbor(ViewerState& viewer, int by) {
 }
 
 void ToggleSceneList(ViewerState& viewer) {
-  viewer.lists_scenes = !viewer.lists_scenes;
-  if (viewer.lists_scenes && !viewer.shows_panels) ShowPanels(viewer, viewer.panels->Look());
-  if (viewer.shows_panels)
-    viewer.notices.Tell(viewer.lists_scenes ? "scenes to open are in the panels" : "the list of scenes is closed");
+  viewer.shows.scenes = !viewer.shows.scenes;
+  if (viewer.shows.scenes && !viewer.shows.panels) ShowPanels(viewer, viewer.panels->Look());
+  if (viewer.shows.panels)
+    viewer.notices.Tell(viewer.shows.scenes ? "scenes to open are in the panels" : "the list of scenes is closed");
 }
 
 }  // namespace ray

@@ -1,10 +1,6 @@
-#include "source/view/commands/Showing.h"
+#include "source/view/commands/Commands.h"
 
 #include <algorithm>
-
-#include "source/view/commands/FlatImage.h"
-#include "source/view/commands/Rendering.h"
-#include "source/view/commands/Sections.h"
 
 namespace ray {
 namespace {
@@ -22,7 +18,7 @@ void Toggle(ViewerState& viewer, const char* what, bool SpaceOverlays::*shows) {
 }
 
 void Peel(ViewerState& viewer) {
-  if (viewer.shows_help) return ToggleHelp(viewer);
+  if (viewer.shows.help) return ToggleHelp(viewer);
   if (viewer.flat.IsShown()) return ToggleFlat(viewer);
   if (viewer.crop) return ClearCrop(viewer);
   if (viewer.selection.pick) {
@@ -40,12 +36,12 @@ void Peel(ViewerState& viewer) {
 }
 
 void Quit(ViewerState& viewer) {
-  if (!viewer.editor.MayLose(viewer, "quit")) return;
-  if (!viewer.pictures.IsTracing() || viewer.was_asked_to_quit) {
-    viewer.is_closed = true;
+  if (!viewer.editor.MayLose("quit")) return;
+  if (!viewer.pictures.IsTracing() || viewer.end.was_asked) {
+    viewer.end.is_closed = true;
     return;
   }
-  viewer.was_asked_to_quit = true;
+  viewer.end.was_asked = true;
   viewer.notices.Tell("still rendering; Q, or closing the window, once more quits without saving");
 }
 
@@ -91,23 +87,23 @@ void ChangeBoxLevel(ViewerState& viewer, int by) {
 }
 
 void ToggleHelp(ViewerState& viewer) {
-  viewer.shows_help = !viewer.shows_help;
-  viewer.panels->SetParts({viewer.shows_panels, viewer.shows_help});
-  viewer.notices.Tell(viewer.shows_help ? "help; type to search it, Escape closes it" : "help closed");
+  viewer.shows.help = !viewer.shows.help;
+  viewer.panels->SetParts({viewer.shows.panels, viewer.shows.help});
+  viewer.notices.Tell(viewer.shows.help ? "help; type to search it, Escape closes it" : "help closed");
 }
 
 void ShowPanels(ViewerState& viewer, const PanelSettings& look) {
   viewer.panels->SetLook(look);
-  viewer.shows_panels = true;
-  viewer.panels->SetParts({viewer.shows_panels, viewer.shows_help});
-  viewer.section_drawing.reset();
+  viewer.shows.panels = true;
+  viewer.panels->SetParts({viewer.shows.panels, viewer.shows.help});
+  viewer.section_pane.drawing.reset();
   viewer.notices.RedrawLines();
 }
 
 void TogglePanels(ViewerState& viewer) {
-  if (viewer.shows_panels) {
-    viewer.shows_panels = false;
-    viewer.panels->SetParts({viewer.shows_panels, viewer.shows_help});
+  if (viewer.shows.panels) {
+    viewer.shows.panels = false;
+    viewer.panels->SetParts({viewer.shows.panels, viewer.shows.help});
     viewer.notices.RedrawLines();
     return viewer.notices.Tell("panels off");
   }
@@ -117,7 +113,7 @@ void TogglePanels(ViewerState& viewer) {
 
 void SetPanelLook(ViewerState& viewer, const PanelSettings& look) {
   viewer.panels->SetLook(look);
-  viewer.section_drawing.reset();
+  viewer.section_pane.drawing.reset();
   viewer.notices.Redraw();
 }
 
@@ -139,6 +135,6 @@ void PickAt(ViewerState& viewer, const R2::Point& position) {
   viewer.notices.RedrawLines();
 }
 
-void FocusUnderPointer(ViewerState& viewer) { viewer.editor.FocusOn(viewer, viewer.PointAt(viewer.pointer)); }
+void FocusUnderPointer(ViewerState& viewer) { viewer.editor.FocusOn(viewer.PointAt(viewer.screen.pointer)); }
 
 }  // namespace ray

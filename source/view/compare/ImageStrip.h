@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "R2/Image.h"
@@ -24,7 +25,11 @@ class ImageStrip {
  public:
   static constexpr std::size_t most = 16;
 
-  void Add(KeptImage image);
+  void Add(KeptImage image) {
+    if (images_.size() >= most) images_.erase(images_.begin());
+    images_.push_back(std::move(image));
+    ++added_;
+  }
   const std::vector<KeptImage>& All() const { return images_; }
   /// How many were ever added: another number for each change.
   std::size_t Number() const { return added_; }

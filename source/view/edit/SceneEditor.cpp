@@ -11,8 +11,7 @@
 #include "source/text/Number.h"
 #include "source/text/NumberText.h"
 #include "source/view/ViewerState.h"
-#include "source/view/commands/Scenes.h"
-#include "source/view/commands/Showing.h"
+#include "source/view/commands/Commands.h"
 #include "source/view/edit/SceneFiles.h"
 #include "source/view/overlay/SceneLines.h"
 
@@ -21,8 +20,6 @@ namespace {
 
 constexpr double slow = 0.15;  // seconds of reading a scene: what is dragged is then moved once it is let go
 constexpr Rgba axis_color{255, 200, 60, 255};
-
-const ScnPlaces& PlacesOf(const ViewerState& viewer) { return viewer.scene.Loaded().places; }
 
 std::string Count(std::size_t count, const char* one, const char* more) {
   return std::to_string(count) + " " + (count == 1 ? one : more);
@@ -41,9 +38,8 @@ std::optional<std::size_t> NodeAt(const World& world, const Location& location) 
 
 std::optional<std::size_t> ParentOf(const World& world, std::size_t node) {
   const auto& nodes = world.Nodes();
-  const auto found = std::ranges::find_if(nodes, [&](const FlatNode& flat) {
-    return flat.first_child <= node && node - flat.first_child < flat.children;
-  });
+  const auto found = std::ranges::find_if(
+      nodes, [&](const FlatNode& flat) { return flat.first_child <= node && node - flat.first_child < flat.children; });
   if (found == nodes.end()) return {};
   return static_cast<std::size_t>(found - nodes.begin());
 }
@@ -104,9 +100,8 @@ const char* NameOf(MoveAxis axis) {
 }
 
 /// The distance of a point along the viewing direction.
-std::string FocusText(const ViewerState& viewer, const R3::Point& point) {
+std::string FocusText(const Camera& camera, const R3::Point& point) {
   constexpr int digits = 5;
-  const Camera& camera = viewer.navigator.camera();
   return Rounded(Dot(point - camera.eye, camera.towards), digits);
 }
 
@@ -118,8 +113,10 @@ std::string InWords(const std::vector<double>& values) {
 
 }  // namespace
 
-std::string SceneEditor::WhyNot(const ViewerState& viewer) {
-  if (!PlacesOf(viewer).files.empty()) return {};
+const ScnPlaces& SceneEditor::Places() const { return viewer_.scene.Loaded().places; }
+
+std::string SceneEditor::WhyNot() const {
+  if (!Places().files.empty()) return {};
   return "only .scn scenes can be edited; raypro SCENE -convert out.scn writes one";
 }
 
@@ -139,11 +136,11 @@ void SceneEditor::Forget() {
   is_unsaved_ = was_asked_ = false;
 }
 
-bool SceneEditor::MayLose(ViewerState& viewer, const std::string& next) {
+bool SceneEditor::MayLose(const std::string& next) {
   const bool is_copied = copied_ && texts_ && *copied_ == *texts_;
   if (!is_unsaved_ || is_copied || was_asked_) return true;
   was_asked_ = true;
-  viewer.notices.Tell("the scene has unsaved changes; Control+S saves them, again to " + next + " without");
+  viewer_.notices.Tell("the scene has unsaved changes; Control+S saves them, again to " + next + " without");
   return false;
 }
 
@@ -152,31 +149,31 @@ void SceneEditor::CheckUnsaved() {
   was_asked_ = false;
 }
 
-std::optional<std::size_t> SceneEditor::ChosenLight(const ViewerState& viewer) const {
-  if (viewer.selection.node || !light_ || *light_ >= viewer.scene.Loaded().parsed.scene.lights.size()) return {};
+std::optional<std::size_t> SceneEditor::ChosenLight() const {
+  if (viewer_.selection.node || !light_ || *light_ >= viewer_.scene.Parsed().lights.size()) return {};
   return light_;
 }
 
-void SceneEditor::ChooseLight(ViewerState& viewer, std::size_t light) {
-  ChooseNode(viewer, {});
+void SceneEditor::ChooseLight(std::size_t light) {
+  ChooseNode(viewer_, {});
   light_ = light;
 }
 
-std::optional<std::uint32_t> SceneEditor::ChosenStatement(const ViewerState& viewer) const {
-  const ScnPlaces& places = PlacesOf(viewer);
-  if (const auto node = viewer.selection.node)
-    return StatementAt(places, viewer.scene.Loaded().world.Nodes()[*node].node->location);
-  const auto light = ChosenLight(viewer);
+std::optional<std::uint32_t> SceneEditor::ChosenStatement() const {
+  const ScnPlaces& places = Places();
+  if (const auto node = viewer_.selection.node)
+    return StatementAt(places, viewer_.scene.world().Nodes()[*node].node->location);
+  const auto light = ChosenLight();
   if (!light || *light >= places.lights.size()) return {};
   return places.lights[*light];
 }
 
-std::optional<std::size_t> SceneEditor::ChosenMaterial(const ViewerState& viewer) const {
-  const std::vector<Material>& materials = viewer.scene.Loaded().parsed.scene.materials;
-  if (material_ && node_of_material_ == viewer.selection.node && *material_ < materials.size()) return material_;
-  if (!viewer.selection.node) return {};
-  const World& world = viewer.scene.Loaded().world;
-  const std::int32_t instance = world.Nodes()[*viewer.selection.node].instance;
+std::optional<std::size_t> SceneEditor::ChosenMaterial() const {
+  const std::vector<Material>& materials = viewer_.scene.Parsed().materials;
+  if (material_ && node_of_material_ == viewer_.selection.node && *material_ < materials.size()) return material_;
+  if (!viewer_.selection.node) return {};
+  const World& world = viewer_.scene.world();
+  const std::int32_t instance = world.Nodes()[*viewer_.selection.node].instance;
   if (instance < 0) return {};
   const Material* const used = world.Instances()[static_cast<std::size_t>(instance)].material;
   const auto found = std::ranges::find_if(materials, [&](const Material& m) { return &m == used; });
@@ -184,36 +181,34 @@ std::optional<std::size_t> SceneEditor::ChosenMaterial(const ViewerState& viewer
   return static_cast<std::size_t>(found - materials.begin());
 }
 
-void SceneEditor::ChooseMaterial(const ViewerState& viewer, std::size_t material) {
+void SceneEditor::ChooseMaterial(std::size_t material) {
   material_ = material;
-  node_of_material_ = viewer.selection.node;
+  node_of_material_ = viewer_.selection.node;
 }
 
-std::string SceneEditor::Name(const ViewerState& viewer, std::uint32_t statement) const {
-  return NameOf(PlacesOf(viewer), statement);
-}
+std::string SceneEditor::Name(std::uint32_t statement) const { return NameOf(Places(), statement); }
 
-std::optional<EditPlace> SceneEditor::PlaceOf(const ViewerState& viewer, std::optional<std::uint32_t> statement) const {
+std::optional<EditPlace> SceneEditor::PlaceOf(std::optional<std::uint32_t> statement) const {
   if (!statement) return {};
-  const ScnPlaces& places = PlacesOf(viewer);
+  const ScnPlaces& places = Places();
   const ScnPlaces::Statement& at = places.statements[*statement];
   return EditPlace{places.files[at.file].canonical, at.begin};
 }
 
-void SceneEditor::Choose(ViewerState& viewer, const EditPlace& place) {
-  const ScnPlaces& places = PlacesOf(viewer);
+void SceneEditor::Choose(const EditPlace& place) {
+  const ScnPlaces& places = Places();
   const auto file = std::ranges::find(places.files, place.file, &ScnPlaces::File::canonical);
   if (file == places.files.end()) return;
   const auto index = static_cast<std::uint32_t>(file - places.files.begin());
   const auto statement = StatementAt(places, index, place.begin);
   if (!statement) return;
   if (const auto light = std::ranges::find(places.lights, *statement); light != places.lights.end())
-    return ChooseLight(viewer, static_cast<std::size_t>(light - places.lights.begin()));
-  ChooseNode(viewer, NodeAt(viewer.scene.Loaded().world, LocationAt(places, index, place.begin)));
+    return ChooseLight(static_cast<std::size_t>(light - places.lights.begin()));
+  ChooseNode(viewer_, NodeAt(viewer_.scene.world(), LocationAt(places, index, place.begin)));
 }
 
-void SceneEditor::RefuseReadOnly(const ViewerState& viewer, const TextEdits& edits) const {
-  const ScnPlaces& places = PlacesOf(viewer);
+void SceneEditor::RefuseReadOnly(const TextEdits& edits) const {
+  const ScnPlaces& places = Places();
   for (const TextEdit& edit : edits) {
     const bool is_top = edit.file == places.files.front().canonical;  // of which a copy can be saved
     if (!is_top && access(edit.file.c_str(), W_OK) != 0)
@@ -221,113 +216,111 @@ void SceneEditor::RefuseReadOnly(const ViewerState& viewer, const TextEdits& edi
   }
 }
 
-bool SceneEditor::Do(ViewerState& viewer, const std::string& what, const std::string& key, bool continues,
+bool SceneEditor::Do(const std::string& what, const std::string& key, bool continues,
                      const std::function<TextEdits()>& make, const std::optional<EditPlace>& chosen_after) {
-  if (const std::string why = WhyNot(viewer); !why.empty()) {
-    viewer.notices.Tell(why);
+  if (const std::string why = WhyNot(); !why.empty()) {
+    viewer_.notices.Tell(why);
     return false;
   }
   TextEdits edits;
   try {
     edits = make();
-    RefuseReadOnly(viewer, edits);
+    RefuseReadOnly(edits);
   } catch (const EditRefusal& refusal) {
-    viewer.notices.Tell("cannot " + what + ": " + refusal.what());
+    viewer_.notices.Tell("cannot " + what + ": " + refusal.what());
     return false;
   }
   if (edits.empty()) return false;  // it is so already
-  const auto before = PlaceOf(viewer, ChosenStatement(viewer));
+  const auto before = PlaceOf(ChosenStatement());
   auto after = chosen_after;
   if (!after && before) after = EditPlace{before->file, OffsetAfter(edits, before->file, before->begin)};
-  if (!Apply(viewer, edits, after)) return false;
+  if (!Apply(edits, after)) return false;
   history_.Do({what, key, edits, before, after}, continues);
   CheckUnsaved();
-  viewer.notices.Tell(what);
+  viewer_.notices.Tell(what);
   return true;
 }
 
-bool SceneEditor::Apply(ViewerState& viewer, const TextEdits& edits, const std::optional<EditPlace>& chosen) {
+bool SceneEditor::Apply(const TextEdits& edits, const std::optional<EditPlace>& chosen) {
   if (!texts_) {
     saved_.clear();
-    for (const ScnPlaces::File& file : PlacesOf(viewer).files) saved_[file.canonical] = file.text->bytes;
+    for (const ScnPlaces::File& file : Places().files) saved_[file.canonical] = file.text->bytes;
   }
   const auto next = std::make_shared<const EditedFiles>(Edited(texts_ ? *texts_ : saved_, edits));
-  const bool had_material = material_ && node_of_material_ == viewer.selection.node;
+  const bool had_material = material_ && node_of_material_ == viewer_.selection.node;
   const auto start = std::chrono::steady_clock::now();
-  const std::string problem = ShowEdits(viewer, next);
+  const std::string problem = ShowEdits(viewer_, next);
   seconds_of_reading_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!problem.empty()) {
-    viewer.notices.Tell("refused: " + problem);
+    viewer_.notices.Tell("refused: " + problem);
     return false;
   }
   texts_ = next;
   held_ = nullptr;  // it was of the text before
   light_.reset();
-  if (chosen) Choose(viewer, *chosen);
-  if (had_material) node_of_material_ = viewer.selection.node;
+  if (chosen) Choose(*chosen);
+  if (had_material) node_of_material_ = viewer_.selection.node;
   return true;
 }
 
-void SceneEditor::SetField(ViewerState& viewer, std::uint32_t statement, const ScnField& field,
-                           const std::vector<double>& values, bool continues) {
-  const auto place = PlaceOf(viewer, statement);
+void SceneEditor::SetField(std::uint32_t statement, const ScnField& field, const std::vector<double>& values,
+                           bool continues) {
+  const auto place = PlaceOf(statement);
   const std::string key = place ? field.name + "@" + std::to_string(place->begin) + place->file : "";
-  const std::string what = "set " + field.name + " of " + Name(viewer, statement) + " to" + InWords(values);
-  DoOrHold(viewer, what, key, continues,
-           [=, &viewer] { return WithValues(PlacesOf(viewer), statement, field, values); });
+  const std::string what = "set " + field.name + " of " + Name(statement) + " to" + InWords(values);
+  DoOrHold(what, key, continues, [=, this] { return WithValues(Places(), statement, field, values); });
 }
 
-void SceneEditor::DoOrHold(ViewerState& viewer, const std::string& what, const std::string& key, bool continues,
+void SceneEditor::DoOrHold(const std::string& what, const std::string& key, bool continues,
                            const std::function<TextEdits()>& make) {
-  const auto change = [=, this, &viewer] { Do(viewer, what, key, continues, make); };
+  const auto change = [=, this] { Do(what, key, continues, make); };
   if (!continues || seconds_of_reading_ <= slow) return change();
   held_ = change;
-  viewer.notices.Tell(what + ", once the button is let go");
+  viewer_.notices.Tell(what + ", once the button is let go");
 }
 
 void SceneEditor::DoHeld() {
   if (const auto held = std::exchange(held_, nullptr)) held();
 }
 
-void SceneEditor::SetSetting(ViewerState& viewer, const std::string& option, const std::string& value, bool continues) {
+void SceneEditor::SetSetting(const std::string& option, const std::string& value, bool continues) {
   std::vector<std::pair<std::string, std::string>> settings{{option, value}};
   // An open lens needs a distance to focus on.
-  const bool needs_focus = option == "aperture" && value != "0" && !(viewer.SettingsOfView().camera.focus > 0);
-  if (needs_focus) settings.emplace_back("focus", FocusText(viewer, viewer.navigator.Center()));
-  DoOrHold(viewer, "set " + option + " " + value, option, continues,
-           [=, &viewer] { return WithSettings(PlacesOf(viewer), settings); });
+  const bool needs_focus = option == "aperture" && value != "0" && !(viewer_.SettingsOfView().camera.focus > 0);
+  if (needs_focus) settings.emplace_back("focus", FocusText(viewer_.navigator.camera(), viewer_.navigator.Center()));
+  DoOrHold("set " + option + " " + value, option, continues, [=, this] { return WithSettings(Places(), settings); });
 }
 
-void SceneEditor::AddToMaterial(ViewerState& viewer, std::size_t material, const std::string& command) {
-  const R2::Color& kr = viewer.scene.Parsed().materials[material].kr;
+void SceneEditor::AddToMaterial(std::size_t material, const std::string& command) {
+  const R2::Color& kr = viewer_.scene.Parsed().materials[material].kr;
   const std::string numbers =
       command == "mirror" ? ToText(kr.r) + " " + ToText(kr.g) + " " + ToText(kr.b) : std::string("1000 4");
-  Do(viewer, "add " + command + " to " + Name(viewer, PlacesOf(viewer).materials[material]), "", false,
-     [&] { return WithAboutMaterial(PlacesOf(viewer), material, command, numbers); });
+  Do("add " + command + " to " + Name(Places().materials[material]), "", false,
+     [&] { return WithAboutMaterial(Places(), material, command, numbers); });
 }
 
-void SceneEditor::SetTexture(ViewerState& viewer, std::size_t material, const std::string& name) {
-  Do(viewer, name.empty() ? "take the texture away" : "set the texture to " + name, "", false,
-     [&] { return WithTexture(PlacesOf(viewer), material, name); });
+void SceneEditor::SetTexture(std::size_t material, const std::string& name) {
+  Do(name.empty() ? "take the texture away" : "set the texture to " + name, "", false,
+     [&] { return WithTexture(Places(), material, name); });
 }
 
-void SceneEditor::SetAxis(ViewerState& viewer, MoveAxis axis) {
+void SceneEditor::SetAxis(MoveAxis axis) {
   axis_ = axis;
-  viewer.notices.Tell(std::string("= and - move along ") + NameOf(axis_) + ", by " + ToText(StepOf(viewer)) +
-                      "; so does a drag with Control and Shift");
+  viewer_.notices.Tell(std::string("= and - move along ") + NameOf(axis_) + ", by " + ToText(Step()) +
+                       "; so does a drag with Control and Shift");
 }
 
-void SceneEditor::NextAxis(ViewerState& viewer) {
+void SceneEditor::NextAxis() {
   constexpr int axes = 4;
-  SetAxis(viewer, static_cast<MoveAxis>((static_cast<int>(axis_) + 1) % axes));
+  SetAxis(static_cast<MoveAxis>((static_cast<int>(axis_) + 1) % axes));
 }
 
-double SceneEditor::StepOf(const ViewerState& viewer) {
+double SceneEditor::Step() const {
   constexpr double share_of_radius = 0.05;
-  return RoundBelow(share_of_radius * viewer.navigator.box().Radius());
+  return RoundBelow(share_of_radius * viewer_.navigator.box().Radius());
 }
 
-R3::Vector SceneEditor::AxisVector(const ViewerState& viewer) const {
+R3::Vector SceneEditor::AxisVector() const {
   switch (axis_) {
     case MoveAxis::x:
       return {1, 0, 0};
@@ -336,23 +329,23 @@ R3::Vector SceneEditor::AxisVector(const ViewerState& viewer) const {
     case MoveAxis::z:
       return {0, 0, 1};
     case MoveAxis::view:
-      return viewer.navigator.camera().right;
+      return viewer_.navigator.camera().right;
   }
   return {};
 }
 
-std::optional<SceneEditor::Target> SceneEditor::TargetOf(const ViewerState& viewer) const {
-  const ScnPlaces& places = PlacesOf(viewer);
-  const auto statement = ChosenStatement(viewer);
+std::optional<SceneEditor::Target> SceneEditor::TargetOf() const {
+  const ScnPlaces& places = Places();
+  const auto statement = ChosenStatement();
   if (!statement) return {};
-  const World& world = viewer.scene.Loaded().world;
-  if (const auto light = ChosenLight(viewer)) {
-    const LightBound bound = viewer.scene.Loaded().parsed.scene.lights[*light]->Bound();
+  const World& world = viewer_.scene.world();
+  if (const auto light = ChosenLight()) {
+    const LightBound bound = viewer_.scene.Parsed().lights[*light]->Bound();
     Target target{*statement, 0, {}};
     if (!bound.is_infinite) target.box = {bound.center, bound.center};
     return target;
   }
-  std::size_t node = *viewer.selection.node;
+  std::size_t node = *viewer_.selection.node;
   Target target{*statement, FrameAround(world, node), {}};
   target.box = world.InWorld(target.frame, world.Nodes()[node].node->bounds);
   // What says no place of its own is moved with the group that is around it alone.
@@ -365,180 +358,179 @@ std::optional<SceneEditor::Target> SceneEditor::TargetOf(const ViewerState& view
   return target;
 }
 
-std::optional<SceneEditor::Target> SceneEditor::ChosenTarget(ViewerState& viewer) const {
-  if (const std::string why = WhyNot(viewer); !why.empty())
-    viewer.notices.Tell(why);
-  else if (!viewer.selection.node && !ChosenLight(viewer))
-    viewer.notices.Tell("nothing is chosen; click an object first");
-  else if (const auto target = TargetOf(viewer))
+std::optional<SceneEditor::Target> SceneEditor::ChosenTarget() const {
+  if (const std::string why = WhyNot(); !why.empty())
+    viewer_.notices.Tell(why);
+  else if (!viewer_.selection.node && !ChosenLight())
+    viewer_.notices.Tell("nothing is chosen; click an object first");
+  else if (const auto target = TargetOf())
     return target;
   else
-    viewer.notices.Tell("what is chosen stands in no scene file");
+    viewer_.notices.Tell("what is chosen stands in no scene file");
   return {};
 }
 
-void SceneEditor::Move(ViewerState& viewer, const R3::Vector& way, const std::string& key, bool continues) {
-  const auto target = ChosenTarget(viewer);
+void SceneEditor::Move(const R3::Vector& way, const std::string& key, bool continues) {
+  const auto target = ChosenTarget();
   if (!target) return;
-  const R3::Vector local = viewer.scene.Loaded().world.Frames()[target->frame].Inverse() * way;
-  Do(viewer, "move " + Name(viewer, target->statement), key, continues,
-     [&] { return Moved(PlacesOf(viewer), target->statement, local); });
+  const R3::Vector local = viewer_.scene.world().Frames()[target->frame].Inverse() * way;
+  Do("move " + Name(target->statement), key, continues, [&] { return Moved(Places(), target->statement, local); });
 }
 
-void SceneEditor::MoveBySteps(ViewerState& viewer, double steps) {
-  Move(viewer, steps * StepOf(viewer) * AxisVector(viewer), "", false);
-}
+void SceneEditor::MoveBySteps(double steps) { Move(steps * Step() * AxisVector(), "", false); }
 
-void SceneEditor::Delete(ViewerState& viewer) {
-  const auto target = ChosenTarget(viewer);
+void SceneEditor::Delete() {
+  const auto target = ChosenTarget();
   if (!target) return;
-  Do(viewer, "delete " + Name(viewer, target->statement), "", false,
-     [&] { return Removed(PlacesOf(viewer), target->statement); }, EditPlace{});
+  Do(
+      "delete " + Name(target->statement), "", false, [&] { return Removed(Places(), target->statement); },
+      EditPlace{});
 }
 
-void SceneEditor::Duplicate(ViewerState& viewer) {
-  const auto target = ChosenTarget(viewer);
+void SceneEditor::Duplicate() {
+  const auto target = ChosenTarget();
   if (!target) return;
   const double width = target->box.IsEmpty() ? 0 : target->box.Size().x;
-  const double step = StepOf(viewer), gap = std::isfinite(width) ? std::ceil(width / step + 1) * step : step;
-  const bool is_placed = !target->box.IsEmpty() || viewer.selection.node;
+  const double step = Step(), gap = std::isfinite(width) ? std::ceil(width / step + 1) * step : step;
+  const bool is_placed = !target->box.IsEmpty() || viewer_.selection.node;
   const R3::Vector way = is_placed ? R3::Vector{Decimal(gap), 0, 0} : R3::Vector{};
-  const R3::Vector local = viewer.scene.Loaded().world.Frames()[target->frame].Inverse() * way;
+  const R3::Vector local = viewer_.scene.world().Frames()[target->frame].Inverse() * way;
   Copied copied;
   try {
-    copied = Duplicated(PlacesOf(viewer), target->statement, local);
+    copied = Duplicated(Places(), target->statement, local);
   } catch (const EditRefusal& refusal) {
-    return viewer.notices.Tell(std::string("cannot duplicate it: ") + refusal.what());
+    return viewer_.notices.Tell(std::string("cannot duplicate it: ") + refusal.what());
   }
-  const auto place = PlaceOf(viewer, target->statement);
-  Do(viewer, "duplicate " + Name(viewer, target->statement), "", false, [&] { return copied.edits; },
-     EditPlace{place->file, copied.begin});
+  const auto place = PlaceOf(target->statement);
+  Do(
+      "duplicate " + Name(target->statement), "", false, [&] { return copied.edits; },
+      EditPlace{place->file, copied.begin});
 }
 
-void SceneEditor::KeepCamera(ViewerState& viewer) {
-  if (!viewer.HasMovedCamera() && LastOf(PlacesOf(viewer), "camera"))
-    return viewer.notices.Tell("the view is the scene's camera already");
-  Do(viewer, "the view becomes the scene's camera", "", false,
-     [&] { return WithCamera(PlacesOf(viewer), viewer.navigator.camera()); });
+void SceneEditor::KeepCamera() {
+  if (!viewer_.HasMovedCamera() && LastOf(Places(), "camera"))
+    return viewer_.notices.Tell("the view is the scene's camera already");
+  Do("the view becomes the scene's camera", "", false,
+     [&] { return WithCamera(Places(), viewer_.navigator.camera()); });
 }
 
-void SceneEditor::FocusOn(ViewerState& viewer, const std::optional<R3::Point>& point) {
-  if (!point) return viewer.notices.Tell("nothing is under the pointer to focus on");
-  const std::string focus = FocusText(viewer, *point);
-  const bool has_lens = viewer.SettingsOfView().camera.HasLens();
+void SceneEditor::FocusOn(const std::optional<R3::Point>& point) {
+  if (!point) return viewer_.notices.Tell("nothing is under the pointer to focus on");
+  const std::string focus = FocusText(viewer_.navigator.camera(), *point);
+  const bool has_lens = viewer_.SettingsOfView().camera.HasLens();
   constexpr double opening = 0.01;  // of the distance, where no lens was open
   const std::string aperture = ToText(RoundBelow(opening * ParseNumber(focus).value));
   std::vector<std::pair<std::string, std::string>> settings{{"focus", focus}};
   if (!has_lens) settings.emplace_back("aperture", aperture);
-  Do(viewer, "focus at " + focus + (has_lens ? "" : ", aperture " + aperture), "", false,
-     [&] { return WithSettings(PlacesOf(viewer), settings); });
+  Do("focus at " + focus + (has_lens ? "" : ", aperture " + aperture), "", false,
+     [&] { return WithSettings(Places(), settings); });
 }
 
-bool SceneEditor::BeginDrag(ViewerState& viewer, const R3::Ray& ray) {
-  const auto target = ChosenTarget(viewer);
+bool SceneEditor::BeginDrag(const R3::Ray& ray) {
+  const auto target = ChosenTarget();
   if (!target) return false;
   if (target->box.IsEmpty()) {
-    viewer.notices.Tell("it is infinite, empty or far away; = and - move it along the axis");
+    viewer_.notices.Tell("it is infinite, empty or far away; = and - move it along the axis");
     return false;
   }
   drag_ = Drag{target->box.Center(), ray, {}, {}};
   return true;
 }
 
-void SceneEditor::DragTo(ViewerState& viewer, const R3::Ray& ray) {
+void SceneEditor::DragTo(const R3::Ray& ray) {
   if (!drag_) return;
   R3::Vector way;
   if (axis_ == MoveAxis::view) {
-    const R3::Vector& normal = viewer.navigator.camera().towards;
+    const R3::Vector& normal = viewer_.navigator.camera().towards;
     const auto from = OnPlane(drag_->from, normal, drag_->pressed), to = OnPlane(drag_->from, normal, ray);
     if (!from || !to) return;
     way = *to - *from;
   } else {
-    const R3::Vector axis = AxisVector(viewer);
+    const R3::Vector axis = AxisVector();
     const auto from = NearestOnLine(drag_->from, axis, drag_->pressed), to = NearestOnLine(drag_->from, axis, ray);
     if (!from || !to) return;
     way = (*to - *from) * axis;
   }
   constexpr double share_of_step = 0.1;
-  drag_->left = Snapped(way, share_of_step * StepOf(viewer)) - drag_->done;
+  drag_->left = Snapped(way, share_of_step * Step()) - drag_->done;
   if (seconds_of_reading_ > slow) return;
   const Drag now = *drag_;
   if (now.left == R3::Vector{}) return;
   drag_->done = now.done + now.left, drag_->left = {};
-  Move(viewer, now.left, "drag", !(now.done == R3::Vector{}));
+  Move(now.left, "drag", !(now.done == R3::Vector{}));
 }
 
-void SceneEditor::EndDrag(ViewerState& viewer) {
+void SceneEditor::EndDrag() {
   if (!drag_) return;
   const Drag last = *std::exchange(drag_, {});
-  if (!(last.left == R3::Vector{})) Move(viewer, last.left, "drag", !(last.done == R3::Vector{}));
+  if (!(last.left == R3::Vector{})) Move(last.left, "drag", !(last.done == R3::Vector{}));
 }
 
-void SceneEditor::Undo(ViewerState& viewer) {
+void SceneEditor::Undo() {
   const Change* change = history_.ToUndo();
-  if (!change) return viewer.notices.Tell("nothing to undo");
-  const auto now = PlaceOf(viewer, ChosenStatement(viewer));
+  if (!change) return viewer_.notices.Tell("nothing to undo");
+  const auto now = PlaceOf(ChosenStatement());
   const TextEdits edits = Reversed(change->edits);
   auto chosen = change->chosen_before;
   if (!chosen && now) chosen = EditPlace{now->file, OffsetAfter(edits, now->file, now->begin)};
   const std::string what = change->what;
-  if (!Apply(viewer, edits, chosen)) return;
+  if (!Apply(edits, chosen)) return;
   history_.Undo();
   CheckUnsaved();
-  viewer.notices.Tell("undone: " + what);
+  viewer_.notices.Tell("undone: " + what);
 }
 
-void SceneEditor::Redo(ViewerState& viewer) {
+void SceneEditor::Redo() {
   const Change* change = history_.ToRedo();
-  if (!change) return viewer.notices.Tell("nothing to redo");
+  if (!change) return viewer_.notices.Tell("nothing to redo");
   const std::string what = change->what;
-  if (!Apply(viewer, change->edits, change->chosen_after)) return;
+  if (!Apply(change->edits, change->chosen_after)) return;
   history_.Redo();
   CheckUnsaved();
-  viewer.notices.Tell("redone: " + what);
+  viewer_.notices.Tell("redone: " + what);
 }
 
-void SceneEditor::Save(ViewerState& viewer) {
-  if (const std::string why = WhyNot(viewer); !why.empty()) return viewer.notices.Tell(why);
-  if (!is_unsaved_) return viewer.notices.Tell("there is nothing to save");
+void SceneEditor::Save() {
+  if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Tell(why);
+  if (!is_unsaved_) return viewer_.notices.Tell("there is nothing to save");
   std::string saved;
-  for (const ScnPlaces::File& file : PlacesOf(viewer).files) {
+  for (const ScnPlaces::File& file : Places().files) {
     const std::string& text = texts_->at(file.canonical);
     if (text == saved_[file.canonical]) continue;
     const std::string& name = file.text->name;
     if (file.canonical == standard_input_name)
-      return viewer.notices.Tell("the scene came from standard input; Control+Shift+S saves a copy");
+      return viewer_.notices.Tell("the scene came from standard input; Control+Shift+S saves a copy");
     if (ReadSceneFile(name) != saved_[file.canonical])
-      return viewer.notices.Tell(name + " has changed on the disk since it was read; Control+Shift+S saves a copy");
-    if (const std::string problem = SaveScene(viewer, name, text); !problem.empty())
-      return viewer.notices.Tell(problem);
+      return viewer_.notices.Tell(name + " has changed on the disk since it was read; Control+Shift+S saves a copy");
+    if (const std::string problem = SaveScene(viewer_, name, text); !problem.empty())
+      return viewer_.notices.Tell(problem);
     saved_[file.canonical] = text;
     saved += (saved.empty() ? "" : ", ") + name;
   }
   CheckUnsaved();
-  viewer.notices.Tell("saved " + saved);
+  viewer_.notices.Tell("saved " + saved);
 }
 
-void SceneEditor::SaveCopy(ViewerState& viewer) {
-  if (const std::string why = WhyNot(viewer); !why.empty()) return viewer.notices.Tell(why);
-  const auto& files = PlacesOf(viewer).files;
+void SceneEditor::SaveCopy() {
+  if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Tell(why);
+  const auto& files = Places().files;
   const ScnPlaces::File& top = files.front();
   for (const ScnPlaces::File& file : files)
     if (texts_ && &file != &top && texts_->at(file.canonical) != saved_[file.canonical])
-      return viewer.notices.Tell("a copy has no room for the changes of the included " + file.text->name +
-                                 "; Control+S saves all");
+      return viewer_.notices.Tell("a copy has no room for the changes of the included " + file.text->name +
+                                  "; Control+S saves all");
   const std::string name = FreeCopyName(top.canonical == standard_input_name ? "scene.scn" : top.text->name);
   const std::string& text = texts_ ? texts_->at(top.canonical) : top.text->bytes;
-  if (const std::string problem = SaveScene(viewer, name, text); !problem.empty()) return viewer.notices.Tell(problem);
+  if (const std::string problem = SaveScene(viewer_, name, text); !problem.empty())
+    return viewer_.notices.Tell(problem);
   copied_ = texts_;
-  viewer.notices.Tell("a copy is saved as " + name);
+  viewer_.notices.Tell("a copy is saved as " + name);
 }
 
-Lines SceneEditor::Marks(const ViewerState& viewer, const DrawingSpace& space,
-                         const std::function<double(const R3::Point&)>& size_at) const {
+Lines SceneEditor::Marks(const DrawingSpace& space, const std::function<double(const R3::Point&)>& size_at) const {
   Lines lines;
-  if (!WhyNot(viewer).empty()) return lines;
-  const auto target = TargetOf(viewer);
+  if (!WhyNot().empty()) return lines;
+  const auto target = TargetOf();
   if (!target || target->box.IsEmpty()) return lines;
   const R3::Point at = target->box.Center();
   constexpr double times_of_cross = 6, times_of_box = 1.3;  // so that it leads out of what it is in
@@ -547,8 +539,8 @@ Lines SceneEditor::Marks(const ViewerState& viewer, const DrawingSpace& space,
     Append(lines, ArrowAt(at, size * way, space, axis_color));
     Append(lines, ArrowAt(at, -size * way, space, axis_color));
   };
-  arrows(AxisVector(viewer));
-  if (axis_ == MoveAxis::view) arrows(viewer.navigator.camera().up);
+  arrows(AxisVector());
+  if (axis_ == MoveAxis::view) arrows(viewer_.navigator.camera().up);
   return lines;
 }
 

@@ -9,8 +9,8 @@
 
 #include "R3/Vector.h"
 #include "source/scene/Camera.h"
+#include "source/view/edit/EditHistory.h"
 #include "source/view/edit/ScnField.h"
-#include "source/view/edit/TextEdit.h"
 
 /// Edits of .scn files. They touch the words they change and nothing else: comments, blanks and ends of lines stay as
 /// they are, to the byte. Numbers are written as short as they read back.

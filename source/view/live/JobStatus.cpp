@@ -41,4 +41,23 @@ std::string ClaimOf(const RenderResult& result) {
          ErrorText(e.estimate, e.unit) + " (" + Rounded(e.low, 3) + " to " + Rounded(e.high, 3) + "), " + samples;
 }
 
+namespace {
+
+constexpr double seconds_between_statuses = 0.25;  // slow enough for digits to be read
+
+}  // namespace
+
+void RenderStatus::Update(const TracedPictures& pictures, double now) {
+  const RenderJob* job = pictures.Job();
+  if (!job) return text_.clear();
+  const auto look = [&] { return Seen{pictures.JobNumber(), job->Samples(), job->HasEnded()}; };
+  const bool is_recent = now - since_ < seconds_between_statuses;
+  if (look() == seen_ && (seen_.has_ended || is_recent)) return;
+  since_ = now;
+  do {  // again where a pass has ended meanwhile
+    seen_ = look();
+    text_ = StatusOf(*job);
+  } while (look() != seen_);
+}
+
 }  // namespace ray

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "source/view/live/RenderJob.h"
+#include "source/view/live/TracedPictures.h"
 
 namespace ray {
 
@@ -12,5 +13,25 @@ std::string StatusOf(const RenderJob& job);
 
 /// What is known of the picture of a job that is complete: "estimated error 1.8/255 (1.7 to 1.9), 64 samples".
 std::string ClaimOf(const RenderResult& result);
+
+/// How far the image that is rendered has come, in words that change slowly enough to be read.
+class RenderStatus {
+ public:
+  /// `now`: in seconds of ticks.
+  void Update(const TracedPictures& pictures, double now);
+  /// "4 of 16 samples 31 % 0.5 Mrays/s 12 s left"; empty without any image.
+  const std::string& Text() const { return text_; }
+
+ private:
+  struct Seen {
+    std::uint64_t job = 0;
+    int samples = 0;
+    bool has_ended = false;
+    friend bool operator==(const Seen&, const Seen&) = default;
+  };
+  std::string text_;
+  Seen seen_;          // what the text was made for
+  double since_ = -1;  // seconds of ticks
+};
 
 }  // namespace ray

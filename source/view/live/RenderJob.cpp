@@ -7,12 +7,15 @@
 #endif
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <exception>
 #include <new>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "source/render/FirstLook.h"
-#include "source/view/live/FinishedRows.h"
 
 namespace ray {
 namespace {
@@ -44,6 +47,37 @@ bool HasFinalBlocks(const RenderSettings& settings) {
 bool HasSamples(const RenderState& state) {
   return std::ranges::any_of(state.blocks, [](const Film::Block& block) { return block.Samples() > 0; });
 }
+
+/// The rows of an image that will not change any more, from the bottom, as blocks of its film get all their samples.
+class FinishedRows {
+ public:
+  /// `film`: an empty one of the image.
+  explicit FinishedRows(const Film& film) : columns_(film.Columns()), region_(film.Region()), top_(region_.y0) {
+    for (int block = 0; block < film.Blocks(); block += columns_) {
+      missing_.push_back(columns_);
+      // Samples of the blocks above count for pixels below them where the filter reaches so far.
+      const bool is_last = block + columns_ >= film.Blocks();
+      const int top = film.PixelsOf(block).y1 - (is_last ? 0 : film.filter().Apron());
+      final_.push_back(is_last ? region_.y1 : std::clamp(top, region_.y0, region_.y1));
+    }
+  }
+
+  /// These blocks have them now. Returns the rows that are final since then, of the film's region; empty for none.
+  PixelRectangle Add(std::span<const int> blocks) {
+    for (const int block : blocks) --missing_[static_cast<std::size_t>(block / columns_)];
+    while (whole_ < missing_.size() && missing_[whole_] == 0) ++whole_;
+    const int top = whole_ > 0 ? final_[whole_ - 1] : region_.y0;
+    return {region_.x0, std::exchange(top_, top), region_.x1, top};
+  }
+
+ private:
+  int columns_;
+  PixelRectangle region_;
+  std::vector<int> missing_;  // blocks of each row of them
+  std::vector<int> final_;    // where the rows of the image end that are final once all blocks are there up to this row
+  std::size_t whole_ = 0;     // rows of blocks, from the bottom
+  int top_;                   // of the rows that are final
+};
 
 }  // namespace
 
@@ -211,6 +245,37 @@ void RenderJob::Show(const R2::Image& image, int first) {
     for (int x = 0; x < image.Width(); ++x) frame_.Set(x, first + y, image.At(x, y));
     frame_.Touch(first + y);
   }
+}
+
+RenderJob& JobQueue::Start(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings,
+                           RenderJob::Order order, int first_places) {
+  Abandon();
+  current_ = std::make_unique<RenderJob>(std::move(scene), settings, order, first_places);
+  return *current_;
+}
+
+RenderJob& JobQueue::Continue(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings) {
+  assert(current_ && current_->Canceled());
+  current_ = std::make_unique<RenderJob>(std::move(scene), settings, *current_->Canceled());
+  return *current_;
+}
+
+void JobQueue::Abandon() {
+  Collect();
+  if (!current_) return;
+  current_->Cancel();
+  if (current_->Places() == 0) return abandoned_.push_back(std::move(current_));
+  ForgetLast();
+  last_ = std::move(current_);
+}
+
+void JobQueue::ForgetLast() {
+  if (last_) abandoned_.push_back(std::move(last_));
+}
+
+int JobQueue::Collect() {
+  std::erase_if(abandoned_, [](const auto& job) { return job->HasEnded(); });
+  return static_cast<int>(abandoned_.size());
 }
 
 }  // namespace ray

@@ -120,10 +120,7 @@ std::shared_ptr<const R2::Image> TracedPictures::ImageOf(const Frame& frame) {
   return image;
 }
 
-std::shared_ptr<const R2::Image> TracedPictures::Current() const {
-  const RenderJob* job = is_live_ && Live() ? Live() : Trace();
-  return job ? ImageOf(job->frame()) : nullptr;
-}
+std::shared_ptr<const R2::Image> TracedPictures::Current() const { return Job() ? ImageOf(Job()->frame()) : nullptr; }
 
 void TracedPictures::SetReference(ReferenceImage reference) {
   reference_ = std::move(reference);
@@ -180,8 +177,8 @@ std::shared_ptr<const R2::Image> TracedPictures::Compared() const {
 
 const TracedPictures::FalseColors& TracedPictures::InFalseColors() const {
   FalseColors now;
-  if (const RenderJob* job = IsLive() ? Live() : Trace()) {
-    now.number = IsLive() ? LiveNumber() : TraceNumber();
+  if (const RenderJob* job = Job()) {
+    now.number = JobNumber();
     now.samples = job->Samples(), now.rows = job->RowsDone(), now.places = job->Places();
     now.has_ended = job->HasEnded();
   }

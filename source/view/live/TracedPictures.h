@@ -5,8 +5,8 @@
 #include <string>
 
 #include "source/draw/FrameState.h"
-#include "source/view/live/JobQueue.h"
-#include "source/view/live/ReferenceImage.h"
+#include "source/view/compare/ReferenceImage.h"
+#include "source/view/live/RenderJob.h"
 
 namespace ray {
 
@@ -65,10 +65,12 @@ class TracedPictures {
   /// The live picture, once, when it has ended by itself since the last call.
   const RenderJob* TakeEndedLive();
   const RenderJob* Live() const { return live_.Current(); }
+  /// The live picture, or that of key S where it is not shown; null where there is none. With its number.
+  const RenderJob* Job() const { return is_live_ && Live() ? Live() : Trace(); }
+  std::uint64_t JobNumber() const { return Job() == Trace() ? trace_number_ : live_number_; }
   bool IsBusy() const;
   /// Every job ever started has a number of its own.
   std::uint64_t TraceNumber() const { return trace_number_; }
-  std::uint64_t LiveNumber() const { return live_number_; }
 
   // Comparing.
   void SetReference(ReferenceImage reference);

@@ -1,14 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
 #include "source/draw/Drawing.h"
 #include "source/scene/Camera.h"
 
-/// Lines drawn over a scene.
 namespace ray {
+
+// Lines drawn over a scene.
 
 /// Bounding boxes, 12 lines each; of very many only the first. The more, the fainter each.
 struct BoxLines {
@@ -55,5 +57,22 @@ Lines AxesAt(const R3::Point& p, double size, const DrawingSpace& space);
 Lines CrossAt(const R3::Point& p, double size, const DrawingSpace& space, const Rgba& color);
 /// An arrow from `p` to `p` + `way`.
 Lines ArrowAt(const R3::Point& p, const R3::Vector& way, const DrawingSpace& space, const Rgba& color);
+
+/// What is drawn in space of the scene, and beside it.
+struct SpaceOverlays {
+  enum class Boxes { none, nodes, accelerator };
+
+  bool faces = true, edges = false, camera = false, lights = false;
+  bool quad = true;     // the rendered image in space, where there is one
+  bool shadows = true;  // of the preview, where the scene has any
+  Boxes boxes = Boxes::none;
+  int box_level = all_levels;
+};
+
+/// The boxes that are shown, as lines; none where none are.
+BoxLines LinesOfBoxes(const SpaceOverlays& overlays, const World& world, const Accelerator& accelerator,
+                      const DrawingSpace& space);
+std::string BoxesInWords(const SpaceOverlays& overlays, const World& world, const Accelerator& accelerator,
+                         const DrawingSpace& space);
 
 }  // namespace ray

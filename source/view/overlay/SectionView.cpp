@@ -8,8 +8,8 @@
 #include <string>
 
 #include "R1/Elementary.h"
-#include "source/view/Plain.h"
-#include "source/view/overlay/CutDrawing.h"
+#include "source/text/NumberText.h"
+#include "source/view/overlay/SliceView.h"
 
 namespace ray {
 namespace {

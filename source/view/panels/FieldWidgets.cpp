@@ -95,7 +95,7 @@ std::optional<FieldWidgets::Range> RangeOf(const ScnField& field) {
 void AskForValues(PanelFrame& frame, std::uint32_t statement, const ScnField& field, std::vector<double> values,
                   bool continues) {
   frame.Ask([statement, field, values = std::move(values), continues](ViewerState& v) {
-    v.editor.SetField(v, statement, field, values, continues);
+    v.editor.SetField(statement, field, values, continues);
   });
 }
 

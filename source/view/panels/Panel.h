@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "R2/Color.h"
+#include "R3/Point.h"
 #include "source/view/ViewerState.h"
 #include "source/view/panels/Panels.h"
 
@@ -62,5 +64,18 @@ struct PanelKind {
   bool is_open_at_first;
   std::unique_ptr<Panel> (*make)();
 };
+
+// Numbers as panels show them: rounded, so that they fit beside one another.
+
+std::string Brief(double number);
+std::string Brief(const R2::Color& color);
+std::string Brief(const R3::Point& point);
+std::string Brief(const R3::Vector& vector);
+/// Words with their numbers rounded, where those stand between blanks or before commas.
+std::string Brief(const std::string& words);
+
+/// The scene, what its preview lacks for speed, how far its image has come and how right it is, and the pixel under the
+/// pointer: in the window of Dear ImGui that is being made, a line of its width.
+void DrawStatusBar(PanelFrame& frame);
 
 }  // namespace ray

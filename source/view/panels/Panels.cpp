@@ -11,10 +11,8 @@
 #include <utility>
 
 #include "source/view/panels/HelpSheet.h"
-#include "source/view/panels/Labels.h"
 #include "source/view/panels/Panel.h"
 #include "source/view/panels/PanelLook.h"
-#include "source/view/panels/StatusBar.h"
 
 namespace ray {
 
@@ -325,7 +323,7 @@ class ImGuiPanels : public Panels {
 
   void Point(double x, double y, ViewerState& viewer) {
     ImGui::GetIO().MousePos = {static_cast<float>(std::floor(x)),
-                               static_cast<float>(std::floor(viewer.size.height - y))};
+                               static_cast<float>(std::floor(viewer.screen.size.height - y))};
     MakeFrame(viewer);
   }
 
@@ -333,7 +331,7 @@ class ImGuiPanels : public Panels {
     viewer_ = &viewer;
     Dress();
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {static_cast<float>(viewer.size.width), static_cast<float>(viewer.size.height)};
+    io.DisplaySize = {static_cast<float>(viewer.screen.size.width), static_cast<float>(viewer.screen.size.height)};
     io.DeltaTime = std::max(shortest_time, std::exchange(passed_, 0.0F));
     items_.clear();
     ImGui::NewFrame();
@@ -354,7 +352,7 @@ class ImGuiPanels : public Panels {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const auto widest = static_cast<float>(std::floor(widest_share * static_cast<double>(all.x)));
     const float least = std::min(static_cast<float>(Pixels(narrowest)), widest);
-    const auto width = static_cast<float>(Width(frame.viewer.size.width));
+    const auto width = static_cast<float>(Width(frame.viewer.screen.size.width));
     ImGui::SetNextWindowPos({all.x, 0}, ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowSize({width, all.y}, ImGuiCond_Always);
     ImGui::SetNextWindowSizeConstraints({least, all.y}, {widest, all.y});
@@ -374,7 +372,7 @@ class ImGuiPanels : public Panels {
 
   /// Above the view, as wide.
   void DrawBar(PanelFrame& frame) {
-    const float wide = ImGui::GetIO().DisplaySize.x - static_cast<float>(Width(frame.viewer.size.width));
+    const float wide = ImGui::GetIO().DisplaySize.x - static_cast<float>(Width(frame.viewer.screen.size.width));
     const auto high = static_cast<float>(HeightOfBar());
     ImGui::SetNextWindowPos({0, 0}, ImGuiCond_Always);
     ImGui::SetNextWindowSize({wide, high}, ImGuiCond_Always);
@@ -394,7 +392,7 @@ class ImGuiPanels : public Panels {
   /// In the middle of the view.
   void DrawHelp(PanelFrame& frame) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const float left = parts_.column ? all.x - static_cast<float>(Width(frame.viewer.size.width)) : all.x;
+    const float left = parts_.column ? all.x - static_cast<float>(Width(frame.viewer.screen.size.width)) : all.x;
     const auto line = static_cast<float>(LettersOfLabels(Scale()).height);
     const float top = parts_.column ? static_cast<float>(HeightOfBar()) + line / 2 : line;
     const float wide = std::min(static_cast<float>(help_share) * left, static_cast<float>(Pixels(help_wide)));

@@ -1,4 +1,4 @@
-#include "source/view/panels/StatusBar.h"
+#include "source/view/panels/Panel.h"
 
 #include <imgui.h>
 
@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "source/view/HelpText.h"
-#include "source/view/panels/Brief.h"
 
 namespace ray {
 namespace {
@@ -16,7 +15,7 @@ constexpr float bar_letters = 10;  // of the bar of what is done
 
 std::string NameAndSize(const ViewerState& viewer) {
   return std::filesystem::path(viewer.settings.scene).filename().string() + (viewer.editor.HasUnsaved() ? "* " : " ") +
-         std::to_string(viewer.size.width) + "x" + std::to_string(viewer.size.height);
+         std::to_string(viewer.screen.size.width) + "x" + std::to_string(viewer.screen.size.height);
 }
 
 /// "120 45  0.31 0.2 0.9": of the image that is rendered; empty where the pointer is not on it.
@@ -35,12 +34,11 @@ void DrawStatusBar(PanelFrame& frame) {
   const float letter = ImGui::CalcTextSize("0").x, all = ImGui::GetContentRegionAvail().x,
               from = ImGui::GetCursorPosX();
   ImGui::TextUnformatted(NameAndSize(viewer).c_str());
-  if (const std::string missing = WordsFor(viewer.detail); !missing.empty() && !viewer.FlatJob()) {
+  if (const std::string missing = WordsFor(viewer.screen.detail); !missing.empty() && !viewer.FlatJob()) {
     ImGui::SameLine();
     ImGui::TextDisabled("%s", missing.c_str());
   }
-  const TracedPictures& pictures = viewer.pictures;
-  const RenderJob* job = pictures.IsLive() ? pictures.Live() : pictures.Trace();
+  const RenderJob* job = viewer.pictures.Job();
   if (!job) return;
   ImGui::SameLine();
   if (const auto share = job->HasEnded() ? std::nullopt : job->Share()) {

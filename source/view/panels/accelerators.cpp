@@ -3,9 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "source/view/Plain.h"
-#include "source/view/commands/Rendering.h"
-#include "source/view/commands/Scenes.h"
+#include "source/text/NumberText.h"
+#include "source/view/commands/Commands.h"
 #include "source/view/live/AcceleratorCost.h"
 #include "source/view/panels/Panel.h"
 

@@ -5,11 +5,7 @@
 #include <utility>
 
 #include "source/text/NumberText.h"
-#include "source/view/commands/Cameras.h"
-#include "source/view/commands/Rays.h"
-#include "source/view/commands/Rendering.h"
-#include "source/view/commands/Sections.h"
-#include "source/view/commands/Showing.h"
+#include "source/view/commands/Commands.h"
 #include "source/view/panels/Panel.h"
 
 // What is drawn of the scene and beside it, which keys switch as well.

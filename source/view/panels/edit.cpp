@@ -3,8 +3,8 @@
 #include <array>
 
 #include "source/text/NumberText.h"
-#include "source/view/panels/Brief.h"
 #include "source/view/panels/FieldWidgets.h"
+#include "source/view/panels/Panel.h"
 
 // What can be changed in the scene: the chosen object, materials, lights, the camera and its lens, the sky.
 namespace ray {
@@ -29,7 +29,7 @@ void Beside(const char* label) {
 class EditPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const std::string why = SceneEditor::WhyNot(frame.viewer);
+    const std::string why = frame.viewer.editor.WhyNot();
     if (!why.empty()) return frame.Say(why);
     DrawHistory(frame);
     if (Section(frame, "Object")) DrawPart(frame, "object", [&] { DrawObject(frame); });
@@ -47,23 +47,27 @@ class EditPanel : public Panel {
     ImGui::PopID();
   }
 
+  static void Command(PanelFrame& frame, const char* name, void (SceneEditor::*act)()) {
+    if (frame.Button(name)) frame.Ask([act](ViewerState& v) { (v.editor.*act)(); });
+  }
+
   static void DrawHistory(PanelFrame& frame) {
     const SceneEditor& editor = frame.viewer.editor;
-    if (frame.Button("undo")) frame.Ask([](ViewerState& v) { v.editor.Undo(v); });
+    Command(frame, "undo", &SceneEditor::Undo);
     Beside("redo");
-    if (frame.Button("redo")) frame.Ask([](ViewerState& v) { v.editor.Redo(v); });
+    Command(frame, "redo", &SceneEditor::Redo);
     Beside("save");
-    if (frame.Button("save")) frame.Ask([](ViewerState& v) { v.editor.Save(v); });
+    Command(frame, "save", &SceneEditor::Save);
     Beside("save a copy");
-    if (frame.Button("save a copy")) frame.Ask([](ViewerState& v) { v.editor.SaveCopy(v); });
+    Command(frame, "save a copy", &SceneEditor::SaveCopy);
     frame.Fact("changes", editor.Describe());
     if (const Change* last = editor.History().ToUndo()) frame.Fact("last", last->what);
   }
 
   void DrawObject(PanelFrame& frame) {
     const ViewerState& viewer = frame.viewer;
-    const auto statement = viewer.editor.ChosenStatement(viewer);
-    if (viewer.editor.ChosenLight(viewer)) return frame.Say("a light is chosen");
+    const auto statement = viewer.editor.ChosenStatement();
+    if (viewer.editor.ChosenLight()) return frame.Say("a light is chosen");
     if (!viewer.selection.node) return frame.Say("click an object to choose it");
     if (!statement) return frame.Say("it stands in no scene file");
     frame.Say(NameOf(viewer.scene.Loaded().places, *statement));
@@ -72,13 +76,13 @@ class EditPanel : public Panel {
   }
 
   static void DrawMoves(PanelFrame& frame) {
-    if (frame.Button("duplicate")) frame.Ask([](ViewerState& v) { v.editor.Duplicate(v); });
+    Command(frame, "duplicate", &SceneEditor::Duplicate);
     Beside("delete");
-    if (frame.Button("delete")) frame.Ask([](ViewerState& v) { v.editor.Delete(v); });
+    Command(frame, "delete", &SceneEditor::Delete);
     Beside("- move");
-    if (frame.Button("- move")) frame.Ask([](ViewerState& v) { v.editor.MoveBySteps(v, -1); });
+    if (frame.Button("- move")) frame.Ask([](ViewerState& v) { v.editor.MoveBySteps(-1); });
     Beside("+ move");
-    if (frame.Button("+ move")) frame.Ask([](ViewerState& v) { v.editor.MoveBySteps(v, 1); });
+    if (frame.Button("+ move")) frame.Ask([](ViewerState& v) { v.editor.MoveBySteps(1); });
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("along");
     constexpr std::pair<const char*, MoveAxis> axes[] = {
@@ -86,26 +90,25 @@ class EditPanel : public Panel {
     for (const auto& [name, axis] : axes) {
       Beside(name);
       if (frame.Check(name, frame.viewer.editor.Axis() == axis))
-        frame.Ask([axis = axis](ViewerState& v) { v.editor.SetAxis(v, axis); });
+        frame.Ask([axis = axis](ViewerState& v) { v.editor.SetAxis(axis); });
     }
   }
 
   void DrawMaterials(PanelFrame& frame) {
     const ViewerState& viewer = frame.viewer;
     const ScnPlaces& places = viewer.scene.Loaded().places;
-    const auto chosen = viewer.editor.ChosenMaterial(viewer);
+    const auto chosen = viewer.editor.ChosenMaterial();
     std::size_t listed = 0;
     for (std::size_t i = 0; i < places.materials.size() && listed < most_listed; ++i) {
       if (places.materials[i] == ScnPlaces::nowhere) continue;
       ++listed;
       ImGui::PushID(static_cast<int>(i));
-      const R2::Color& kd = viewer.scene.Loaded().parsed.scene.materials[i].kd;
+      const R2::Color& kd = viewer.scene.Parsed().materials[i].kd;
       const std::string comment = CommentOf(places, places.materials[i]);
       const std::string name = NameOf(places, places.materials[i]) + (comment.empty() ? "" : ": " + comment);
       const bool by_swatch = DrawSwatch(frame, "swatch of " + name, {kd.r, kd.g, kd.b});
       ImGui::SameLine();
-      if (frame.Choice(name, chosen == i) || by_swatch)
-        frame.Ask([i](ViewerState& v) { v.editor.ChooseMaterial(v, i); });
+      if (frame.Choice(name, chosen == i) || by_swatch) frame.Ask([i](ViewerState& v) { v.editor.ChooseMaterial(i); });
       ImGui::PopID();
     }
     if (listed == 0) return frame.Say("the scene file has no material");
@@ -130,8 +133,7 @@ class EditPanel : public Panel {
     const bool is_entered = ImGui::InputText(label, text.data(), text.size(), flags);
     frame.Note(label);
     if (is_entered)
-      frame.Ask(
-          [material, name = std::string(text.data())](ViewerState& v) { v.editor.SetTexture(v, material, name); });
+      frame.Ask([material, name = std::string(text.data())](ViewerState& v) { v.editor.SetTexture(material, name); });
   }
 
   /// What a statement of its own says of a material, or a button for one.
@@ -140,19 +142,19 @@ class EditPanel : public Panel {
     if (const auto about = AboutMaterial(frame.viewer.scene.Loaded().places, material, command))
       fields.Draw(frame, *about);
     else if (frame.Button("add " + command))
-      frame.Ask([material, command](ViewerState& v) { v.editor.AddToMaterial(v, material, command); });
+      frame.Ask([material, command](ViewerState& v) { v.editor.AddToMaterial(material, command); });
     ImGui::PopID();
   }
 
   void DrawLights(PanelFrame& frame) {
     const ViewerState& viewer = frame.viewer;
     const ScnPlaces& places = viewer.scene.Loaded().places;
-    const auto chosen = viewer.editor.ChosenLight(viewer);
+    const auto chosen = viewer.editor.ChosenLight();
     if (places.lights.empty()) frame.Say("the scene file has no light; these are the default ones");
     for (std::size_t i = 0; i < std::min(places.lights.size(), most_listed); ++i) {
       ImGui::PushID(static_cast<int>(i));
       if (frame.Choice(NameOf(places, places.lights[i]), chosen == i))
-        frame.Ask([i](ViewerState& v) { v.editor.ChooseLight(v, i); });
+        frame.Ask([i](ViewerState& v) { v.editor.ChooseLight(i); });
       ImGui::PopID();
     }
     if (!chosen || *chosen >= places.lights.size()) return;
@@ -167,13 +169,13 @@ class EditPanel : public Panel {
       camera_fields_.Draw(frame, *camera);
     else
       frame.Say("the scene file has no camera");
-    if (frame.Button("view as scene camera")) frame.Ask([](ViewerState& v) { v.editor.KeepCamera(v); });
+    Command(frame, "view as scene camera", &SceneEditor::KeepCamera);
     const CameraEffects lens = viewer.SettingsOfView().camera;
     const double distance = Length(viewer.navigator.Center() - viewer.navigator.camera().eye);
     const auto set = [&frame](const char* option) {
       return [&frame, option](double value, bool continues) {
         frame.Ask(
-            [option, value, continues](ViewerState& v) { v.editor.SetSetting(v, option, ToText(value), continues); });
+            [option, value, continues](ViewerState& v) { v.editor.SetSetting(option, ToText(value), continues); });
       };
     };
     constexpr double widest = 0.1, nearest = 0.05, farthest = 5;  // of the distance to the middle

@@ -5,9 +5,8 @@
 
 #include "R1/Elementary.h"
 #include "source/text/NumberText.h"
-#include "source/view/commands/Images.h"
+#include "source/view/commands/Commands.h"
 #include "source/view/compare/Histogram.h"
-#include "source/view/panels/Brief.h"
 #include "source/view/panels/Panel.h"
 
 // The rendered image: its exposure, how its values are spread, and the images made before it.
@@ -40,10 +39,9 @@ class ImagePanel : public Panel {
 
   void DrawHistogram(PanelFrame& frame) {
     const TracedPictures& pictures = frame.viewer.pictures;
-    const RenderJob* job = pictures.IsLive() && pictures.Live() ? pictures.Live() : pictures.Trace();
+    const RenderJob* job = pictures.Job();
     if (!job) return frame.Say("S or P renders an image, whose values are then counted here");
-    const Seen now{pictures.IsLive() ? pictures.LiveNumber() : pictures.TraceNumber(), job->Samples(), job->HasEnded(),
-                   frame.viewer.exposure_steps};
+    const Seen now{pictures.JobNumber(), job->Samples(), job->HasEnded(), frame.viewer.exposure_steps};
     if (!(now == seen_)) {
       seen_ = now;
       if (const auto image = pictures.Current()) histogram_ = HistogramOf(*image, R1::Exp2(now.stops));

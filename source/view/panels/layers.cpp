@@ -10,8 +10,7 @@
 #include "source/integrate/debug/Heat.h"
 #include "source/render/LayerColors.h"
 #include "source/text/EnumNames.h"
-#include "source/view/commands/Rendering.h"
-#include "source/view/panels/Brief.h"
+#include "source/view/commands/Commands.h"
 #include "source/view/panels/Panel.h"
 
 // What live rendering shows, as colors and as numbers.

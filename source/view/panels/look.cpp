@@ -1,6 +1,6 @@
 #include <imgui.h>
 
-#include "source/view/commands/Showing.h"
+#include "source/view/commands/Commands.h"
 #include "source/view/panels/Panel.h"
 
 // Colors and letters of the panels themselves.

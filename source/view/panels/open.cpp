@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "source/view/commands/Scenes.h"
+#include "source/view/commands/Commands.h"
 #include "source/view/edit/SceneFiles.h"
 #include "source/view/panels/Panel.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 class OpenPanel : public Panel {
  public:
-  bool IsOfUse(const ViewerState& viewer) const override { return viewer.lists_scenes; }
+  bool IsOfUse(const ViewerState& viewer) const override { return viewer.shows.scenes; }
 
   void Draw(PanelFrame& frame) override {
     const ViewerState& viewer = frame.viewer;

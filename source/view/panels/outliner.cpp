@@ -1,9 +1,8 @@
 #include <imgui.h>
 
 #include "source/text/Words.h"
-#include "source/view/commands/Cameras.h"
-#include "source/view/commands/Showing.h"
-#include "source/view/panels/Brief.h"
+#include "source/view/commands/Commands.h"
+#include "source/view/panels/Panel.h"
 #include "source/view/panels/Tree.h"
 
 // The scene graph, the lights, and what the chosen one of them is.

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "source/text/NumberText.h"
-#include "source/view/commands/Rays.h"
-#include "source/view/panels/Brief.h"
+#include "source/view/commands/Commands.h"
+#include "source/view/panels/Panel.h"
 #include "source/view/panels/Tree.h"
 
 // What a pixel shows, and the rays behind it.

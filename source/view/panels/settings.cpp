@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "source/view/commands/Scenes.h"
+#include "source/view/commands/Commands.h"
 #include "source/view/panels/Panel.h"
 
 // Options of the program, changed while it runs, and the command that renders what is seen.
@@ -68,7 +68,7 @@ class SettingsPanel : public Panel {
       if (frame.Button("copy the command"))
         frame.Ask([command](ViewerState& v) { v.host.SetClipboard(command + "\n"); });
     }
-    if (!frame.viewer.option_problem.empty()) frame.Say("refused: " + frame.viewer.option_problem);
+    if (!frame.viewer.option_changes.problem.empty()) frame.Say("refused: " + frame.viewer.option_changes.problem);
     std::string topic;
     bool is_open = false;
     for (const ShownOption& option : frame.viewer.host.ShownOptions()) {

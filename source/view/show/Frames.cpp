@@ -1,4 +1,4 @@
-#include "source/view/show/Frames.h"
+#include "source/view/show/Show.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,7 @@
 
 #include "R1/Elementary.h"
 #include "source/render/LayerColors.h"
-#include "source/view/commands/Sections.h"
-#include "source/view/show/Labels.h"
-#include "source/view/show/LinesInSpace.h"
+#include "source/view/commands/Commands.h"
 
 namespace ray {
 namespace {
@@ -137,13 +135,13 @@ R2::Color BackgroundOfPreview(const ViewerState& viewer) {
 
 FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
   FrameState shown;
-  shown.size = viewer.size;
+  shown.size = viewer.screen.size;
   shown.view = viewer.layout().view;
   if (viewer.section.IsShown()) {
     MakeSection(viewer);
-    shown.section_size = viewer.section_size;
-    shown.section_ground = viewer.section_theme == PanelTheme::light ? light_section_ground : dark_section_ground;
-    shown.section = {viewer.section_drawing, &viewer.section_drawing->lines};
+    shown.section_size = viewer.section_pane.size;
+    shown.section_ground = viewer.section_pane.theme == PanelTheme::light ? light_section_ground : dark_section_ground;
+    shown.section = {viewer.section_pane.drawing, &viewer.section_pane.drawing->lines};
   }
   const Exposure exposure{R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb};
   const R2::Color background = exposure.factor * BackgroundOfPreview(viewer);
@@ -172,7 +170,7 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
   ShowFlat(viewer, shown);
   shown.line_width = LineWidth(viewer);
   shown.labels = MakeLabels(viewer);
-  if (!shown.labels.empty() || viewer.shows_panels || viewer.shows_help)
+  if (!shown.labels.empty() || viewer.shows.panels || viewer.shows.help)
     shown.panels = viewer.panels->Draw(viewer, shown.labels);
   return shown;
 }

@@ -1,4 +1,4 @@
-#include "source/view/show/Labels.h"
+#include "source/view/show/Show.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "source/text/NumberText.h"
 #include "source/text/Words.h"
 #include "source/view/HelpText.h"
-#include "source/view/commands/Sections.h"
+#include "source/view/commands/Commands.h"
 
 namespace ray {
 namespace {
@@ -99,13 +99,13 @@ std::vector<Label> MakeLabels(const ViewerState& viewer) {
   std::vector<std::pair<std::string, Rgba>> upper;
   if (!viewer.scene.Mistakes().empty()) upper.emplace_back(TextOfProblems(viewer), problem_color);
   if (viewer.section.IsShown()) {
-    upper.emplace_back("cross section: " + viewer.section.Describe(viewer.size.height), text_color);
+    upper.emplace_back("cross section: " + viewer.section.Describe(viewer.screen.size.height), text_color);
     if (std::string text = TextOfSection(viewer); !text.empty()) upper.emplace_back(std::move(text), text_color);
   }
   if (std::string text = viewer.pictures.ScaleOfComparison(); !text.empty())
     upper.emplace_back(std::move(text), text_color);
   if (std::string text = TextOfProjection(viewer); !text.empty()) upper.emplace_back(std::move(text), text_color);
-  if (viewer.selection.pick && !viewer.shows_panels)
+  if (viewer.selection.pick && !viewer.shows.panels)
     for (const std::string& text : viewer.selection.pick->text) upper.emplace_back(text, text_color);
 
   std::vector<Label> labels;
@@ -114,7 +114,7 @@ std::vector<Label> MakeLabels(const ViewerState& viewer) {
   const double edge = letters.height * margin;
   const int columns = static_cast<int>((viewer.layout().view.width - 2 * edge) / letters.width);
   if (viewer.section.IsShown())
-    for (Label label : viewer.section_drawing->labels)
+    for (Label label : viewer.section_pane.drawing->labels)
       label.x += viewer.layout().view.width, labels.push_back(std::move(label));
   AddLabelsOfFlat(viewer, labels, letters);
   double y = viewer.layout().view.height - letters.height - edge;

@@ -1,9 +1,9 @@
-#include "source/view/show/LinesInSpace.h"
+#include "source/view/show/Show.h"
 
 #include <algorithm>
 #include <array>
 
-#include "source/view/commands/Cameras.h"
+#include "source/view/commands/Commands.h"
 
 namespace ray {
 namespace {
@@ -24,14 +24,15 @@ Lines MakeLines(const ViewerState& viewer) {
   const DrawingSpace& space = viewer.scene.Space();
   Lines lines = SceneLineLines(world, space);
   Append(lines, LinesOfBoxes(viewer.overlays, world, *viewer.scene.Loaded().accelerator, space).lines);
-  if (viewer.selection.node && viewer.shows_panels)
+  if (viewer.selection.node && viewer.shows.panels)
     Append(lines, NodeBoxOf(world, space, *viewer.selection.node, chosen_color));
   if (viewer.overlays.lights) Append(lines, LightLines(viewer.scene.Parsed(), space));
   const auto frustum = [&](const Camera& camera, int width, int height, double distance) {
     Append(lines, CameraLines(camera, width, height, distance, space, frustum_color));
   };
   if (viewer.overlays.camera)
-    frustum(viewer.scene.Parsed().camera, viewer.size.width, viewer.size.height, share_of_radius * space.radius);
+    frustum(viewer.scene.Parsed().camera, viewer.screen.size.width, viewer.screen.size.height,
+            share_of_radius * space.radius);
   if (ShowsFrameOfQuad(viewer)) {
     const auto quad = viewer.Quad();
     const RenderSettings& traced = viewer.pictures.Trace()->Settings();
@@ -51,8 +52,8 @@ Lines MakeMarks(const ViewerState& viewer) {
   };
   if (const auto& pivot = viewer.navigator.Pivot())
     Append(lines, AxesAt(*pivot, size_at(*pivot), viewer.scene.Space()));
-  if (viewer.shows_panels || viewer.editor.IsDragging())
-    Append(lines, viewer.editor.Marks(viewer, viewer.scene.Space(), size_at));
+  if (viewer.shows.panels || viewer.editor.IsDragging())
+    Append(lines, viewer.editor.Marks(viewer.scene.Space(), size_at));
   if (const auto& pick = viewer.selection.pick; pick && pick->point)
     Append(lines, CrossAt(*pick->point, size_at(*pick->point), viewer.scene.Space(), picked_color));
   return lines;
@@ -63,7 +64,7 @@ Lines FrameOfCrop(const ViewerState& viewer) {
   const R3::Box box = BoxOfDrawing(viewer);
   const double depth = box.IsEmpty() ? 0 : DepthOf(camera, box.Center()), radius = viewer.scene.Space().radius;
   const auto corner = [&](double x, double y) {
-    const R3::Ray ray = camera.Through(x, y, viewer.size.width, viewer.size.height);
+    const R3::Ray ray = camera.Through(x, y, viewer.screen.size.width, viewer.screen.size.height);
     const double distance = std::max(depth, radius) / Dot(ray.direction, camera.towards);
     return viewer.scene.Space().At(ray.At(distance));
   };

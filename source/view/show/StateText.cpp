@@ -1,23 +1,22 @@
-#include "source/view/show/StateText.h"
+#include "source/view/show/Show.h"
 
 #include <filesystem>
 
 #include "source/scene/CameraText.h"
 #include "source/text/EnumNames.h"
 #include "source/text/NumberText.h"
-#include "source/view/commands/Sections.h"
-#include "source/view/show/Labels.h"
+#include "source/view/commands/Commands.h"
 
 namespace ray {
 
 std::string TextOfPanels(ViewerState& viewer) {
-  return viewer.shows_panels || viewer.shows_help ? viewer.panels->Text(viewer) : std::string();
+  return viewer.shows.panels || viewer.shows.help ? viewer.panels->Text(viewer) : std::string();
 }
 
 std::string TitleOf(const ViewerState& viewer) {
   const std::string name = std::filesystem::path(viewer.settings.scene).filename().string();
-  return name + (viewer.editor.HasUnsaved() ? "* " : " ") + std::to_string(viewer.size.width) + "x" +
-         std::to_string(viewer.size.height) +
+  return name + (viewer.editor.HasUnsaved() ? "* " : " ") + std::to_string(viewer.screen.size.width) + "x" +
+         std::to_string(viewer.screen.size.height) +
          (viewer.scene.Mistakes().empty() ? "" : " (mistakes in " + viewer.scene.MistakenFile() + ")") +
          (viewer.status.Text().empty() ? "" : " " + viewer.status.Text()) +
          (viewer.scene.Notes().empty() ? "" : " (" + viewer.scene.Notes() + ")");
@@ -28,7 +27,7 @@ std::string StateInWords(ViewerState& viewer) {
   const auto line = [&](const std::string& name, const std::string& value) { text += name + " " + value + "\n"; };
   const auto yes_or_no = [](bool is) { return is ? "yes" : "no"; };
   line("scene", viewer.settings.scene);
-  line("size", std::to_string(viewer.size.width) + " " + std::to_string(viewer.size.height));
+  line("size", std::to_string(viewer.screen.size.width) + " " + std::to_string(viewer.screen.size.height));
   text += CameraLine(viewer.navigator.camera()) + "\n";
   line("faces", yes_or_no(viewer.overlays.faces));
   line("edges", yes_or_no(viewer.overlays.edges));
@@ -59,15 +58,15 @@ std::string StateInWords(ViewerState& viewer) {
   for (const bool shows : look.shows) kinds += shows ? '1' : '0';
   line("rays", kinds + (look.normals ? "1" : "0") + " deepest " + std::to_string(look.deepest));
   if (const std::string place = TextOfSection(viewer); !place.empty()) line("under the pointer", place);
-  line("cut", viewer.section.IsShown() ? viewer.section.Describe(viewer.size.height) : "no");
+  line("cut", viewer.section.IsShown() ? viewer.section.Describe(viewer.screen.size.height) : "no");
   line("exposure", ToText(viewer.exposure_steps));
   line("comparing", std::to_string(static_cast<int>(viewer.pictures.HowCompared())));
   line("reference", yes_or_no(viewer.pictures.Reference() != nullptr));
-  line("help", yes_or_no(viewer.shows_help));
+  line("help", yes_or_no(viewer.shows.help));
   line("problem", TextOfProblems(viewer));
   line("message", viewer.notices.Message());
   line("edits", viewer.editor.Describe());
-  line("panels", yes_or_no(viewer.shows_panels));
+  line("panels", yes_or_no(viewer.shows.panels));
   text += TextOfPanels(viewer);
   return text;
 }

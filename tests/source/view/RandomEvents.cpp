@@ -82,8 +82,8 @@ class RandomUser {
   /// Whether key S still makes the picture that the same settings make without a viewer.
   void CheckRendering() {
     for (int i = 0; i < 3; ++i) Do(ButtonEvent{static_cast<Button>(i), false, 1, 1, {}});
-    if (viewer_->state().shows_help) Do(KeyEvent{Key::escape, {}, true});  // what is typed is searched for there
-    if (viewer_->state().shows_panels) Do(KeyEvent{Key::tab, {}, true});
+    if (viewer_->state().shows.help) Do(KeyEvent{Key::escape, {}, true});  // what is typed is searched for there
+    if (viewer_->state().shows.panels) Do(KeyEvent{Key::tab, {}, true});
     Do(ResizeEvent{24, 16, 1});
     host_.traced.clear();
     host_.traced_settings.clear();
@@ -154,8 +154,8 @@ class RandomUser {
   /// The numbers of a material are changed, by a slider where it has any.
   void EditMaterial() {
     const DrawingSize before = viewer_->Size();
-    if (viewer_->state().shows_help) Do(KeyEvent{Key::escape, {}, true});
-    if (!viewer_->state().shows_panels) Do(KeyEvent{Key::tab, {}, true});
+    if (viewer_->state().shows.help) Do(KeyEvent{Key::escape, {}, true});
+    if (!viewer_->state().shows.panels) Do(KeyEvent{Key::tab, {}, true});
     Do(ResizeEvent{400, 1600, 1});  // so that all of a panel is seen
     if (!AnItem("material")) ClickItem("Edit");
     ClickItem("material");
@@ -198,7 +198,7 @@ class RandomUser {
   /// Something that is shown is chosen, changed, and maybe saved or changed back.
   void EditScene() {
     constexpr Modifiers control{.control = true}, both{true, true};
-    if (viewer_->state().shows_help) Do(KeyEvent{Key::escape, {}, true});
+    if (viewer_->state().shows.help) Do(KeyEvent{Key::escape, {}, true});
     const double x = X(), y = Y();
     Do(ButtonEvent{Button::left, true, x, y, {}});
     Do(ButtonEvent{Button::left, false, x, y, {}});

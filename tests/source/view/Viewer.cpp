@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "source/view/commands/Rays.h"
+#include "source/view/commands/Commands.h"
 #include "tests/source/view/ScriptedViewer.h"
 
 namespace ray {

@@ -1,6 +1,6 @@
 // The images made so far can be looked at again, and each is the reference for the next.
 
-#include "source/view/commands/Images.h"
+#include "source/view/commands/Commands.h"
 #include "source/view/compare/ImageStrip.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // Changes of a scene in the viewer: seen at once, undone and redone, and saved into the lines they are of.
 
-#include "source/view/commands/Scenes.h"
-#include "source/view/commands/Showing.h"
+#include "source/view/commands/Commands.h"
 #include "source/view/edit/SceneEditor.h"
 
 #include <gtest/gtest.h>
@@ -56,19 +55,19 @@ class EditorTest : public ScriptedViewer<WithOptions, 64, 48> {
     FAIL() << "there is no " << command;
   }
   std::string Chosen() {
-    const auto statement = Editor().ChosenStatement(viewer_->state());
+    const auto statement = Editor().ChosenStatement();
     return statement ? NameOf(Places(), *statement) : "none";
   }
   void Set(std::uint32_t statement, const std::string& name, const std::vector<double>& values,
            bool continues = false) {
     for (const ScnField& field : FieldsOf(Places(), statement))
       if (field.name == name) {
-        Editor().SetField(viewer_->state(), statement, field, values, continues);
+        Editor().SetField(statement, field, values, continues);
         return Editor().DoHeld();  // where the machine is slow, what continues waits for the button
       }
     FAIL() << "there is no field " << name;
   }
-  std::uint32_t MaterialOfChosen() { return Places().materials[*Editor().ChosenMaterial(viewer_->state())]; }
+  std::uint32_t MaterialOfChosen() { return Places().materials[*Editor().ChosenMaterial()]; }
   void MakeItGreen() { Set(MaterialOfChosen(), "diffuse (kd)", {0.1, 0.6, 0.15}); }
   std::string Message() const { return viewer_->Message(); }
   bool Says(const std::string& words) const { return Message().find(words) != std::string::npos; }
@@ -140,7 +139,7 @@ TEST_F(EditorTest, MakesOneStepOfWhatASliderDoes) {
 
 TEST_F(EditorTest, RefusesWhatNoSceneCanHave) {
   Choose("cone");
-  Set(*Editor().ChosenStatement(viewer_->state()), "radius", {-1});
+  Set(*Editor().ChosenStatement(), "radius", {-1});
   EXPECT_TRUE(Says("radius must not be negative")) << Message();
   EXPECT_EQ(viewer_->scene().places.files[0].text->bytes, before_);
   EXPECT_EQ(Editor().Describe(), "none");
@@ -153,7 +152,7 @@ TEST_F(EditorTest, MovesAMeshByTheGroupAroundIt) {
   EXPECT_EQ(LinesOf(viewer_->scene().places.files[0].text->bytes)[20],
             "  0.75 0 0.3 0.75   0 0.8 0 0.66   -0.3 0 0.75 -1.7   0 0 0 1");
   const R3::Box after = viewer_->scene().parsed.scene.root.children.back().bounds;
-  EXPECT_NEAR(after.low.x - before.low.x, SceneEditor::StepOf(viewer_->state()), 1e-12);
+  EXPECT_NEAR(after.low.x - before.low.x, Editor().Step(), 1e-12);
   EXPECT_EQ(Chosen(), "mesh, line 22");
 }
 
@@ -164,7 +163,7 @@ TEST_F(EditorTest, MovesAlongTheWorldInsideOfTurnedGroups) {
   const R3::Point before = viewer_->scene().world.Instances()[0].bounds.Center();
   Do("key =");
   const R3::Point after = viewer_->scene().world.Instances()[0].bounds.Center();
-  EXPECT_NEAR(after.x - before.x, SceneEditor::StepOf(viewer_->state()), 1e-11);
+  EXPECT_NEAR(after.x - before.x, Editor().Step(), 1e-11);
   EXPECT_NEAR(after.y, before.y, 1e-11);
 }
 
@@ -186,9 +185,9 @@ TEST_F(EditorTest, DuplicatesAndDeletesWhatIsChosen) {
 }
 
 TEST_F(EditorTest, EditsALightLikeAnObject) {
-  Editor().ChooseLight(viewer_->state(), 1);
+  Editor().ChooseLight(1);
   EXPECT_EQ(Chosen(), "point_light, line 6");
-  Set(*Editor().ChosenStatement(viewer_->state()), "color", {0.5, 0.25, 0.3});
+  Set(*Editor().ChosenStatement(), "color", {0.5, 0.25, 0.3});
   Do("key A\nkey =\nkey Control+S");
   EXPECT_EQ(ChangedLines(), std::vector<std::size_t>{6});
   EXPECT_EQ(Chosen(), "point_light, line 6");

@@ -55,11 +55,11 @@ TEST_F(ViewerTest, TheLivePictureEndsAsRayproMakesIt) {
   ASSERT_TRUE(viewer_->Pictures().Live());
   ASSERT_TRUE(viewer_->Pictures().Live()->IsComplete());
   EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->state().SettingsOfView()));
-  const std::uint64_t number = viewer_->Pictures().LiveNumber();
+  const std::uint64_t number = viewer_->Pictures().JobNumber();
   Do("key Control+Up");
-  EXPECT_EQ(viewer_->Pictures().LiveNumber(), number) << "exposure does not begin the picture anew";
+  EXPECT_EQ(viewer_->Pictures().JobNumber(), number) << "exposure does not begin the picture anew";
   Do("key [");
-  EXPECT_EQ(viewer_->Pictures().LiveNumber(), number + 1) << "a move does, once";
+  EXPECT_EQ(viewer_->Pictures().JobNumber(), number + 1) << "a move does, once";
   Do("wait trace");
   EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->state().SettingsOfView()));
 }

@@ -1,8 +1,8 @@
 // The cut of a scene by a plane must be where the surfaces are: rays are judged against it by eye.
 
-#include "source/view/overlay/CrossSection.h"
 #include "R3/ShapeKind.h"
-#include "source/view/overlay/CutDrawing.h"
+#include "source/view/overlay/CrossSection.h"
+#include "source/view/overlay/SliceView.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "R3/ShapeKind.h"
-#include "source/view/overlay/CutDrawing.h"
 #include "tests/Accelerators.h"
 #include "tests/Draw.h"
 #include "tests/Project.h"

@@ -13,7 +13,7 @@
 #include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
 #include "source/view/KeyBindings.h"
-#include "source/view/commands/Showing.h"
+#include "source/view/commands/Commands.h"
 #include "tests/source/view/ScriptedViewer.h"
 #include "tests/source/view/WithOptions.h"
 
@@ -63,7 +63,7 @@ TEST_F(PanelTest, LeaveHalfOfASmallDrawingUncovered) {
 TEST_F(PanelTest, StayInTheDrawingAndOnTheirSheet) {
   for (const char* size : {"512 512", "1280 800", "1024 1024 2", "64 48", "1 1"}) {
     Do(std::string("resize ") + size);
-    if (!viewer_->state().shows_panels) Do("key Tab");
+    if (!viewer_->state().shows.panels) Do("key Tab");
     const auto panels = viewer_->Show().panels;
     const DrawingSize drawing = viewer_->Size();
     for (const PanelDrawing::Part& part : panels->parts) {
@@ -285,13 +285,13 @@ TEST_F(PanelTest, AnOptionIsTypedAndThePictureStartsOver) {
   Click("Settings");
   Click("light");
   Click("-samples");
-  const std::uint64_t before = viewer_->Pictures().LiveNumber();
+  const std::uint64_t before = viewer_->Pictures().JobNumber();
   Do("key Control+A\ntype 4");
   EXPECT_EQ(host_.samples, 1) << "until Enter";
   Do("key Enter\nwait trace");
   EXPECT_EQ(host_.samples, 4);
   EXPECT_EQ(viewer_->state().SettingsOfView().samples, 4);
-  EXPECT_GT(viewer_->Pictures().LiveNumber(), before);
+  EXPECT_GT(viewer_->Pictures().JobNumber(), before);
   EXPECT_TRUE(Says("make -samples 4")) << viewer_->TextOfPanels();
 }
 
@@ -340,7 +340,7 @@ TEST_F(PanelTest, OptionsStayWhileTheImageIsRendered) {
   Click("-mode");
   Click("path");
   EXPECT_EQ(host_.mode, "whitted");
-  EXPECT_FALSE(viewer_->state().option_problem.empty());
+  EXPECT_FALSE(viewer_->state().option_changes.problem.empty());
 }
 
 TEST_F(PanelTest, TheCommandIsCopied) {

@@ -1,4 +1,4 @@
-#include "source/view/live/ReferenceImage.h"
+#include "source/view/compare/ReferenceImage.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,160 @@
+#pragma once
+
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "source/view/ViewerState.h"
+
+namespace ray {
+
+// What is shown and chosen, and what is closed again.
+
+/// Ends the uppermost of what is open: the help, the flat image, the crop, the pick, the cross section, the rendering.
+void Peel(ViewerState& viewer);
+/// Unless that would lose something; then when it is asked for again.
+void Quit(ViewerState& viewer);
+/// `what`: its name in the message.
+void Toggle(ViewerState& viewer, const char* what, bool SpaceOverlays::*shows);
+void ToggleLights(ViewerState& viewer);
+/// Bounding boxes: none, of the scene graph, of the accelerator.
+void CycleBoxes(ViewerState& viewer);
+void ShowBoxes(ViewerState& viewer, SpaceOverlays::Boxes boxes);
+void ChangeBoxLevel(ViewerState& viewer, int by);
+void ToggleHelp(ViewerState& viewer);
+void TogglePanels(ViewerState& viewer);
+void ShowPanels(ViewerState& viewer, const PanelSettings& look);
+void SetPanelLook(ViewerState& viewer, const PanelSettings& look);
+/// A node of the scene graph to look at, into World::Nodes; nothing for none.
+void ChooseNode(ViewerState& viewer, std::optional<std::size_t> node);
+/// Describes and chooses what is seen at a position of the picture.
+void PickAt(ViewerState& viewer, const R2::Point& position);
+void FocusUnderPointer(ViewerState& viewer);
+
+// The view: where it is looked from, and kept.
+
+/// Prints the camera as a line of a scene, and copies it to the clipboard.
+void PrintCamera(ViewerState& viewer);
+/// Around the scene, and its lights when they are shown.
+R3::Box BoxToFrame(const ViewerState& viewer);
+void FrameScene(ViewerState& viewer);
+void FramePicked(ViewerState& viewer);
+void FrameChosenNode(ViewerState& viewer);
+void Widen(ViewerState& viewer, double factor);
+/// `name`: of the direction.
+void LookAlong(ViewerState& viewer, const R3::Vector& towards, const R3::Vector& up, const std::string& name);
+void ToggleTurntable(ViewerState& viewer);
+void GoBack(ViewerState& viewer);
+void GoForward(ViewerState& viewer);
+void GoToSceneCamera(ViewerState& viewer);
+/// The center of the scene for nothing.
+void SetPivot(ViewerState& viewer, const std::optional<R3::Point>& pivot);
+void KeepBookmark(ViewerState& viewer, int digit);
+void RecallBookmark(ViewerState& viewer, int digit);
+
+// The scene that is shown: its settings, its edits, and other ones in its place.
+
+/// Shows it from now on; the camera stays.
+void TakeScene(ViewerState& viewer, std::shared_ptr<const LoadedScene> scene);
+/// Empty for the option's default. While the picture of key S is being rendered options stay as they are.
+void ChangeOption(ViewerState& viewer, const std::string& name, const std::string& value);
+/// Reads the scene with these texts in place of its files; camera, options and pictures stay. Returns why it could
+/// not, and then shows what it did before; else nothing.
+std::string ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts);
+/// Returns why it could not be written, else nothing.
+std::string SaveScene(ViewerState& viewer, const std::string& file, const std::string& text);
+/// Unless that would lose edits; then a message says so, and it is opened when it is asked for again. A picture is the
+/// reference from then on.
+void OpenScene(ViewerState& viewer, const std::string& file);
+/// To the scene so many files behind this one in its folder, or before it.
+void OpenNeighbor(ViewerState& viewer, int by);
+void ToggleSceneList(ViewerState& viewer);
+/// What the disk has, in place of edits.
+void ReadFromDisk(ViewerState& viewer);
+/// The files of the scene have changed.
+void TellOfChangedFiles(ViewerState& viewer);
+/// `file` was to be read, and has mistakes.
+void TellProblems(ViewerState& viewer, const std::string& file, const std::exception& error);
+
+// Rendering of the view: by key S row by row, and live.
+
+/// Renders the view row by row, or continues where that was stopped.
+void StartTrace(ViewerState& viewer);
+/// The next render takes this rectangle alone, between two positions in the drawing, of the view.
+void Crop(ViewerState& viewer, const R2::Point& from, const R2::Point& to);
+void ClearCrop(ViewerState& viewer);
+/// `mode`: instead of the settings' own; nothing for that.
+void ToggleLive(ViewerState& viewer, std::optional<RenderMode> mode);
+/// Live rendering of one mode; nothing for none.
+void ShowLayer(ViewerState& viewer, std::optional<RenderMode> mode);
+void ToggleDenoising(ViewerState& viewer);
+/// Saves and keeps what has ended since the last call; to be called now and then.
+void TakeEndedJobs(ViewerState& viewer);
+/// Begins to find what accelerators cost in the present view, in the background.
+void CompareAccelerators(ViewerState& viewer);
+void StopComparingAccelerators(ViewerState& viewer);
+
+// Finished images: their exposure, the strip of them, and how they are compared.
+
+/// In stops: each doubles the light.
+void SetExposure(ViewerState& viewer, double steps);
+/// By so many stops; 0 resets it.
+void ChangeExposure(ViewerState& viewer, double steps);
+/// A finished image goes to the strip of them.
+void KeepImage(ViewerState& viewer, const RenderJob& job);
+/// One of the strip in place of the current image; nothing for the current one. It is the reference as well.
+void ShowImage(ViewerState& viewer, std::optional<std::size_t> index);
+std::optional<std::size_t> ShownImage(const ViewerState& viewer);
+/// To the image so many further on in the strip.
+void FlipImages(ViewerState& viewer, int by);
+void KeepReference(ViewerState& viewer);
+/// Toggles the comparison.
+void Compare(ViewerState& viewer, TracedPictures::Comparing how);
+void StopShowingReference(ViewerState& viewer);
+/// In false colors, and then by FLIP.
+void CompareInFalseColors(ViewerState& viewer);
+
+// The rendered image shown flat.
+
+void ToggleFlat(ViewerState& viewer);
+/// Moves the image, or its slider.
+void DragFlat(ViewerState& viewer, const R2::Point& from, const R2::Point& to, bool moves_slider);
+bool TakesSlider(const ViewerState& viewer, const ButtonEvent& event);
+void ZoomFlat(ViewerState& viewer, const ScrollEvent& event);
+
+// The rays that are traced to be looked at.
+
+/// Shows or hides the rays of every 25th pixel, of the rendered image if there is one.
+void ToggleGrid(ViewerState& viewer);
+/// Shows the rays of the pixel at a position of the drawing: of the rendered image if that is seen there, else of the
+/// view.
+void DebugPixelAt(ViewerState& viewer, const R2::Point& position);
+/// Goes to the pixel next to it, or moves the cross section, whichever was used last.
+void MoveByArrow(ViewerState& viewer, int right, int up);
+void ForgetPixel(ViewerState& viewer);
+void SaveRays(ViewerState& viewer);
+/// Shows more or fewer bounces.
+void StepBounce(ViewerState& viewer, int by);
+/// One of the pixel's rays, by its number, to be lit up; nothing for none.
+void ChooseRay(ViewerState& viewer, std::optional<std::size_t> ray);
+void ToggleRays(ViewerState& viewer, ShownRays kind);
+void ToggleNormals(ViewerState& viewer);
+/// How many rays are traced to be looked at from now on.
+void SetDebugRays(ViewerState& viewer, const DebugRayCounts& counts);
+
+// The cross section beside the view.
+
+void ToggleSection(ViewerState& viewer);
+/// Shows the cut along that plane, whatever was shown before.
+void ShowSection(ViewerState& viewer, SlicePlane plane);
+void NextPlane(ViewerState& viewer);
+void MoveSection(ViewerState& viewer, int by);
+/// How wide all lines are, in pixels: wider on denser screens.
+int LineWidth(const ViewerState& viewer);
+/// Makes its drawing again where that is due; it is shown.
+void MakeSection(ViewerState& viewer);
+/// What is under the pointer; empty where that is not on the cross section.
+std::string TextOfSection(const ViewerState& viewer);
+
+}  // namespace ray
