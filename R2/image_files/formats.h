@@ -6,7 +6,7 @@
 
 #include "R2/ImageFile.h"
 
-/// What the kinds of image file share: the check of sizes, and rows of 8-bit channels.
+/// Checks and conversions that the kinds of image file have in common.
 namespace R2 {
 
 /// The size a header promises, once it is known to be at least 1 by 1 and at most max_pixels. Throws ImageError
