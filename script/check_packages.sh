@@ -1,6 +1,6 @@
 #!/bin/sh
 # Checks that all who name packages name the same: script/setup.sh, which installs them, debian/control, the table of
-# docs/building.md, the Containerfile and script/features.mk. Prints each difference.
+# docs/building.md, the Containerfile and make/features.mk. Prints each difference.
 #   usage: script/check_packages.sh [root of the tree]
 set -eu
 cd "${1:-$(dirname "$0")/..}"
@@ -53,5 +53,5 @@ requires script/setup.sh "$(of_setup viewer | tr ' ' '\n' | grep -v -e '-dev$' |
   "the Containerfile" "$(tr -c 'a-z0-9.-' '\n' < Containerfile | words)"
 
 # What a build without them advises to install.
-requires script/features.mk "$(grep -o '[-a-z0-9]*-dev' script/features.mk | words)" script/setup.sh "$all"
+requires make/features.mk "$(grep -o '[-a-z0-9]*-dev' make/features.mk | words)" script/setup.sh "$all"
 exit $failed

@@ -174,9 +174,6 @@ function show(id,   a, b, labels) {
   } else if (program[id] == "text") {
     put("<figure id=\"picture-" id "\" class=\"said\"><pre tabindex=\"0\">" html(file_text(measured "/" id ".txt")) "</pre>")
     put("<figcaption>" words(caption[id]) how(id) "</figcaption></figure>")
-  } else if (program[id] == "session") {
-    put("<figure id=\"picture-" id "\"><a href=\"pictures/" id ".avi\">" image(id) "</a>\n<figcaption>" words(caption[id]) \
-        how(id) "</figcaption></figure>")
   } else {
     put("<figure id=\"picture-" id "\">" image(id) "\n<figcaption>" words(caption[id]) how(id) "</figcaption></figure>")
   }

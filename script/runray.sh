@@ -153,7 +153,6 @@ make_one() {  # id
       if [ "$replaces" = yes ]; then
         if [ "$fast" = yes ]; then echo "$id is not stored" >> $build/failures; return 1; fi
         cp "$new" "$stored"
-        if [ "$program" = session ]; then cp "$build/$id.avi" "$folder"; fi
       fi ;;
   esac
   echo "$id,$inputs,$row" > "$build/$id.row"

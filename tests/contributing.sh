@@ -1,6 +1,6 @@
 #!/bin/sh
-# Does what CONTRIBUTING.md says, in a copy of the tree: its shape is built and rendered, and every command of the table
-# of checks is there to be run.
+# Does what CONTRIBUTING.md says, in a copy of the tree: its shape is built and rendered, and every command of its table
+# and those of script/README.md is there to be run.
 #   usage: tests/contributing.sh BUILD   (the folder of a finished build, below the root of the tree)
 set -eu
 cd "$(dirname "$0")/.."
@@ -8,6 +8,7 @@ build=$1
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 page=CONTRIBUTING.md
+others=script/README.md
 
 fail() { echo "$page: $*" >&2; exit 1; }
 
@@ -21,7 +22,7 @@ block_after() {
 }
 
 # Commands of the first column: targets that make knows, scripts that can be run.
-sed -n '/^| command/,/^$/s/^| \(`.*`\) |.*/\1/p' "$page" | tr '`' '\n' | grep -E '^(make|script/|tests/|\.ci/)' > "$copy/commands"
+sed -n '/^| command/,/^$/s/^| \(`.*`\) |.*/\1/p' "$page" "$others" | tr '`' '\n' | grep -E '^(make|script/|tests/|\.ci/)' > "$copy/commands"
 [ -s "$copy/commands" ] || fail "no table of commands"
 while read -r program rest; do
   case $program in
@@ -33,7 +34,7 @@ done < "$copy/commands"
 
 # What is built already is not built again: only what knows of shapes.
 mkdir -p "$copy/tree/$build"
-cp -a Makefile R1 R2 R3 source grader page script scenes "$copy/tree"
+cp -a Makefile make R1 R2 R3 source grader page script scenes "$copy/tree"
 cp -a "$build/obj" "$build/jumbo" "$build/flags" "$build/features" "$copy/tree/$build"
 block_after '`R3/shapes/ring.cpp`:' > "$copy/tree/R3/shapes/ring.cpp"
 sed -n 's/^    \(SHAPE(.*)\)$/\1/p' "$page" >> "$copy/tree/R3/shapes.def"

@@ -33,7 +33,7 @@ denoise_table.sh -size 8 -samples 2 -references $work/denoise hello
 elementary.py by tests/R1/Elementary.cpp
 extremes_table.sh M1
 fuzz.sh by .github/workflows/weekly.yml
-install.sh by Makefile
+install.sh by make/install.mk
 install_names.sh by script/install.sh
 movie.sh by tests/source/app/Scripts.cpp
 mutations.sh -count 1 -list
@@ -50,8 +50,7 @@ time_scenes.sh -size 8 scenes/sphere.scn
 tradeoff.sh -size 8 -seeds 1 -search 1 hello
 tradeoff_plots.sh by script/tradeoff.sh
 tsan_tbb.sh by .github/workflows/weekly.yml
-uninstall.sh by Makefile
-unit_sources.sh by Makefile
+uninstall.sh by make/install.mk
 update_docs.sh -check
 viewer_screens.sh night $work/screens scenes/sphere.scn
 wheel.py by script/wheel.sh

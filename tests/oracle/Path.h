@@ -10,7 +10,8 @@
 #include "source/accelerate/World.h"
 
 /// Path tracing as a textbook has it: one ray at a time, no light samples, no structure, and nothing of the program but
-/// its shapes, which say where a ray hits them and how they face.
+/// its shapes, which say where a ray hits them and how they face. Read it before source/integrate/Path.h, whose images
+/// tests compare with those of this one.
 ///   source   Kajiya, The rendering equation (1986); Pharr, Jakob, Humphreys, Physically Based Rendering (2023), 13.2
 namespace oracle {
 

@@ -14,7 +14,7 @@ STB := $(if $(filter /%,$(shell $(CXX) -print-file-name=libstb.so 2>/dev/null)),
 IMGUI_LIBS := $(or $(call pkg,--libs,imgui),-limgui $(STB))
 
 ifneq ($(filter-out clean uninstall check dist,$(or $(MAKECMDGOALS),all)),)
-FOUND := $(shell $(CXX) $(CPPFLAGS) $(EXR_CFLAGS) $(YAML_CFLAGS) $(IMGUI_CFLAGS) -std=c++20 -E -P -x c++ script/features.h)
+FOUND := $(shell $(CXX) $(CPPFLAGS) $(EXR_CFLAGS) $(YAML_CFLAGS) $(IMGUI_CFLAGS) -std=c++20 -E -P -x c++ make/features.h)
 ifeq ($(filter compiler,$(FOUND)),)
 $(error $(CXX) does not work as a compiler of C++20. Run script/setup.sh, or name another one: make CXX=clang++)
 endif
