@@ -9,7 +9,7 @@
 #include "R2/compare/Difference.h"
 #include "grader/Changes.h"
 #include "grader/Comparison.h"
-#include "grader/Compression.h"
+#include "grader/JpegTolerance.h"
 #include "grader/PixelShift.h"
 #include "source/text/NumberText.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "grader/Compression.h"
+#include "grader/JpegTolerance.h"
 
 namespace ray::grade {
 namespace {

@@ -36,8 +36,6 @@ for program in "$@"; do
   put 755 "$build/$program" "$bindir/$program"
   put_output "$mandir/man1/$program.1" "$build/$program" -man
   put_output "$datadir/bash-completion/completions/$program" "$build/$program" -complete bash
-  put_output "$datadir/zsh/site-functions/_$program" "$build/$program" -complete zsh
-  put_output "$datadir/fish/vendor_completions.d/$program.fish" "$build/$program" -complete fish
   case "$program" in
     raypro) put_output "$mandir/man5/scn.5" "$build/$program" -man scn ;;
     rayview) put 644 share/applications/rayview.desktop "$datadir/applications/rayview.desktop" ;;

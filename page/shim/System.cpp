@@ -3,11 +3,12 @@
 #include <limits>
 
 #include "R2/image_files/formats.h"
+#include "page/Warnings.h"
+#include "source/app/Answers.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Resources.h"
 #include "source/film/denoise/OpenImageDenoise.h"
 #include "source/render/Threads.h"
-#include "page/Warnings.h"
 
 // What the engine asks of a machine and its libraries, answered for a page.
 
@@ -39,6 +40,21 @@ void PrintError(const std::string& line) { Warnings() += line + "\n"; }
 void PrintWarnings(const std::string& file, std::span<const std::string> warnings) {
   for (const std::string& warning : warnings) PrintError(file + ": warning: " + warning);
 }
+
+// Requests are refused before they would be answered.
+namespace answer {
+std::string Check(const Options&) { return {}; }
+std::string Files(const Options&) { return {}; }
+std::string Advise(const Options&) { return {}; }
+std::string Convert(const Options&) { return {}; }
+std::string RaysOfPixel(const Options&) { return {}; }
+std::string Info(const Options&) { return {}; }
+std::string Help(const Options&) { return {}; }
+std::string Version(const Options&) { return {}; }
+std::string List(const Options&) { return {}; }
+std::string Complete(const Options&) { return {}; }
+std::string Manual(const Options&) { return {}; }
+}  // namespace answer
 
 struct OpenImageDenoise::Functions {};
 OpenImageDenoise::OpenImageDenoise(int) : OpenImageDenoise(FindFunction(), 0) {}

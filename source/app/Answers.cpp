@@ -90,7 +90,7 @@ std::string Info(const Options& options) { return PictureInfo(options.subject); 
 std::string Help(const Options& options) { return ray::Help(*options.program, options.subject); }
 std::string Version(const Options& options) { return ray::Version(*options.program); }
 std::string List(const Options& options) { return Listing(*options.program, options.subject, options.keys); }
-std::string Complete(const Options& options) { return CompletionScript(*options.program, options.subject); }
+std::string Complete(const Options& options) { return BashCompletion(*options.program); }
 std::string Manual(const Options& options) { return ManualPage(options.subject, *options.program); }
 
 }  // namespace answer

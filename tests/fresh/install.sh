@@ -34,8 +34,7 @@ for program in raypro rayimg raygrade rayview; do
   [ ! -x "$build/$program" ] || programs="$programs $program"
 done
 for program in $programs; do
-  for file in bin/$program share/man/man1/$program.1 share/bash-completion/completions/$program \
-    share/zsh/site-functions/_$program share/fish/vendor_completions.d/$program.fish; do
+  for file in bin/$program share/man/man1/$program.1 share/bash-completion/completions/$program; do
     [ -s "$stage/opt/ray/$file" ] || fail "$file is missing"
   done
   bash -n "$share/bash-completion/completions/$program" || fail "bash does not read the completions of $program"

@@ -4,7 +4,6 @@
 
 #include "source/app/Status.h"
 #include "source/app/files/Outputs.h"
-#include "source/app/files/PartialPicture.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/Files.h"

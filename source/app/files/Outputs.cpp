@@ -9,8 +9,8 @@
 
 #include "source/app/Status.h"
 #include "source/app/files/LayerPictures.h"
-#include "source/app/files/PartialPicture.h"
 #include "source/app/options/PictureName.h"
+#include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/ReportJson.h"
 #include "source/render/LayerColors.h"
@@ -57,6 +57,20 @@ void RefuseOwnFile(const OutputFile& report, const FileOptions& files) {
 }
 
 }  // namespace
+
+std::string PartialName(const std::string& picture) { return NameBeside(picture, "partial"); }
+
+bool IsFinishedPicture(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return false;
+  try {
+    const R2::ImageSettings settings = R2::ReadImageHeader(ReadBytes(file.string())).settings;
+    const auto pixels = settings.find("pixels");
+    return pixels == settings.end() || pixels->second == "complete";
+  } catch (const std::exception&) {
+    return true;  // it is no picture, or cannot be read: somebody else's
+  }
+}
 
 /// Some formats hold no more than 65,535 pixels a side. They say so when asked to write a picture of one row or one
 /// column, and an hour of rendering is saved.
@@ -125,16 +139,16 @@ void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs) {
 }
 
 OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
-                        const RunStats& record) {
+                        const RunStats& stats) {
   const bool must_stay = !result.IsComplete() && IsFinishedPicture(outputs.picture.target);
   const OutputFile& picture = must_stay ? outputs.partial : outputs.picture;
   if (result.pixels_done == 0) return picture;
-  TellOfLink(*record.options.program, picture);
+  TellOfLink(*stats.options.program, picture);
   const R2::ImageFormat& format = *outputs.format;
-  const R2::ImageSettings settings = SettingsInPicture(record);
-  const std::vector<Layer>& kinds = record.options.files.layers;
+  const R2::ImageSettings settings = SettingsInPicture(stats);
+  const std::vector<Layer>& kinds = stats.options.files.layers;
   const auto encode = [&](std::optional<RenderMode> mode, const R2::Image& image) {
-    const R2::ImageEncoding& encoding = record.options.encoding;
+    const R2::ImageEncoding& encoding = stats.options.encoding;
     const bool is_shown_as_it_is = format.is_linear || !mode || IsShownAsItIs(*mode);
     if (is_shown_as_it_is) return format.encode(image, encoding, settings);  // without a copy
     return format.encode(LayerAsShown(*mode, image), encoding, settings);
@@ -145,13 +159,13 @@ OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, cons
     WriteWhole(picture, format.encode_layers(result.image, channels, settings));
     return picture;
   }
-  WriteWhole(picture, encode(record.options.render.mode, result.image));
+  WriteWhole(picture, encode(stats.options.render.mode, result.image));
   for (std::size_t i = 0; i < layers.size(); ++i) WriteWhole(outputs.layers[i], encode(ModeOf(kinds[i]), layers[i]));
   return picture;
 }
 
-void WriteReport(const Outputs& outputs, const RunStats& record) {
-  if (outputs.report) WriteWhole(*outputs.report, BytesOf(ReportJson(record)));
+void WriteReport(const Outputs& outputs, const RunStats& stats) {
+  if (outputs.report) WriteWhole(*outputs.report, BytesOf(ReportJson(stats)));
 }
 
 }  // namespace ray

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 
 #include "source/app/files/OutputFile.h"
@@ -22,6 +23,13 @@ void RefuseSize(const R2::ImageFormat& format, int width, int height);
 
 /// Says so when the name is a link, for the picture goes elsewhere then.
 void TellOfLink(const Program& program, const OutputFile& picture);
+
+/// Where an interrupted render leaves its picture when another has the name: "out.partial.png" for "out.png".
+std::string PartialName(const std::string& picture);
+
+/// Whether something is there that an interrupted render must not replace: any file but one that says of itself that it
+/// is the picture of an interrupted render.
+bool IsFinishedPicture(const std::filesystem::path& file);
 
 /// Where the results of a run go.
 struct Outputs {
@@ -47,7 +55,7 @@ void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs);
 ///   layers    one image for each of the options' layers
 ///   returns   where the picture went
 OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
-                        const RunStats& record);
-void WriteReport(const Outputs& outputs, const RunStats& record);
+                        const RunStats& stats);
+void WriteReport(const Outputs& outputs, const RunStats& stats);
 
 }  // namespace ray

@@ -1,7 +1,6 @@
 #include "source/app/manual/Completion.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "R2/ImageFile.h"
 #include "source/app/options/OptionTable.h"
@@ -16,18 +15,6 @@ std::string Joined(const std::vector<std::string>& words, const std::string& bet
   std::string line;
   for (const std::string& word : words) line += (line.empty() ? "" : between) + word;
   return line;
-}
-
-/// Text within single quotes of any of the three shells; `marks`, those that zsh knows within a specification, are
-/// escaped as well.
-std::string Quotable(const std::string& text, const std::string& marks) {
-  std::string quotable;
-  for (const char c : text) {
-    if (c == '\'') continue;
-    if (marks.find(c) != std::string::npos) quotable += '\\';
-    quotable += c;
-  }
-  return quotable;
 }
 
 /// The options of a command, or those of the program itself: with a dash each.
@@ -120,7 +107,9 @@ std::string BashFiles(const std::string& name) {
          "}\n";
 }
 
-std::string Bash(const Program& program) {
+}  // namespace
+
+std::string BashCompletion(const Program& program) {
   const std::string name = NameOf(program);
   std::string cases;
   for (const OptionKind& option : OptionTable(program))
@@ -142,86 +131,6 @@ std::string Bash(const Program& program) {
          "}\n"
          "complete -o filenames -F _" +
          name + " " + name + "\n";
-}
-
-std::string ZshFiles(FileKind kind) {
-  if (kind == FileKind::any) return "_files";
-  if (kind == FileKind::folder) return "_files -/";
-  return "_files -g \"*.(#i)(" + Joined(ExtensionsOf(kind), "|") + ")\"";
-}
-
-/// What completes an argument; a blank where nothing does.
-std::string ZshArgument(const OptionKind& option) {
-  const auto values = NamedValues(option);
-  if (IsListOfNames(option)) return "_values -s , " + std::string(option.name) + " " + Joined(values);
-  if (!values.empty()) return "(" + Joined(values) + ")";
-  const auto kind = FileOf(option);
-  return kind ? ZshFiles(*kind) : " ";
-}
-
-std::string ZshSpecification(const OptionKind& option) {
-  std::string text = "  '" + std::string(MayBeRepeated(option) ? "*" : "") + "-" + option.name + "[" +
-                     Quotable(option.help, "[]:") + "]";
-  const std::string optional = FewestArguments(option) < MostArguments(option) ? ":" : "";
-  for (const char* argument : option.arguments)
-    text += ":" + optional + Quotable(argument, ":") + ":" + ZshArgument(option);
-  return text + "' \\\n";
-}
-
-std::string Zsh(const Program& program) {
-  std::string text = "#compdef " + NameOf(program) + "\n_arguments \\\n";
-  for (const OptionKind& option : OptionTable(program)) text += ZshSpecification(option);
-  const std::string first = ZshFiles(FirstFiles(program));
-  if (!program.commands().empty())
-    return text + "  '1:command:(" + Joined(CommandNamesOf(program)) + ")' \\\n  '*:image:" + first + "'\n";
-  text += "  '1:scene:" + first + "'";
-  return text + (program == Program::raypro ? " \\\n  '2:image:" + ZshFiles(FileKind::image) + "'\n" : "\n");
-}
-
-/// Files of some extensions come before others, in this order.
-std::string FishFiles(const std::vector<std::string>& extensions) {
-  return " -k -a '(for extension in ." + Joined(extensions, " .") + "; __fish_complete_suffix $extension; end)'";
-}
-
-/// What completes the arguments of an option that has some.
-std::string FishArgument(const OptionKind& option) {
-  const auto values = NamedValues(option);
-  if (IsListOfNames(option)) return " -x -a '(__fish_append , " + Joined(values) + ")'";
-  if (!values.empty()) return " -x -a '" + Joined(values) + "'";
-  const auto kind = FileOf(option);
-  if (!kind) return " -x";
-  if (*kind == FileKind::any) return " -r";
-  if (*kind == FileKind::folder) return " -x -a '(__fish_complete_directories)'";
-  return " -x" + FishFiles(ExtensionsOf(*kind));
-}
-
-std::string Fish(const Program& program) {
-  const std::string complete = "complete -c " + NameOf(program);
-  std::string text;
-  for (const CommandKind& command : program.commands())
-    text +=
-        complete + " -n __fish_use_subcommand -f -a " + command.name + " -d '" + Quotable(command.help, "\\") + "'\n";
-  for (const OptionKind& option : OptionTable(program)) {
-    text += complete;
-    if (!option.commands.empty())
-      text += " -n '__fish_seen_subcommand_from " + Joined({option.commands.begin(), option.commands.end()}) + "'";
-    text += " -o " + std::string(option.name) + " -d '" + Quotable(option.help, "\\") + "'";
-    if (MostArguments(option) > 0) text += FishArgument(option);
-    text += "\n";
-  }
-  auto names = ExtensionsOf(FirstFiles(program));
-  if (program == Program::raypro) std::ranges::copy(ExtensionsOf(FileKind::image), std::back_inserter(names));
-  if (!program.commands().empty()) text += complete + " -n 'not __fish_use_subcommand' -f" + FishFiles(names) + "\n";
-  if (program.commands().empty()) text += complete + " -f" + FishFiles(names) + "\n";
-  return text;
-}
-
-}  // namespace
-
-std::string CompletionScript(const Program& program, const std::string& shell) {
-  if (shell == "zsh") return Zsh(program);
-  if (shell == "fish") return Fish(program);
-  return Bash(program);
 }
 
 }  // namespace ray

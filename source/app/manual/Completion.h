@@ -7,7 +7,7 @@
 
 namespace ray {
 
-/// The script that teaches a shell ("bash", "zsh" or "fish") the program's options.
-std::string CompletionScript(const Program& program, const std::string& shell);
+/// The script that teaches bash the program's options.
+std::string BashCompletion(const Program& program);
 
 }  // namespace ray

@@ -10,7 +10,7 @@
 
 namespace ray {
 
-inline std::vector<std::string> Shells() { return {"bash", "zsh", "fish"}; }
+inline std::vector<std::string> Shells() { return {"bash"}; }
 
 inline std::vector<std::string> CommandLinesOfCourses() { return {"comp30019"}; }
 
@@ -50,7 +50,7 @@ std::vector<OptionKind> AboutOptions() {
       {"info", raypro, {}, {}, {"image"}, Request{answer::Info, false, Request::always, nullptr, FileKind::image}, "", "about",
        "print how an image was made, from its own metadata"},
       {"complete", all, {}, {}, {"shell"}, Request{answer::Complete, false, Request::always, Shells}, "", "about",
-       "print a shell's completion script"},
+       "print the completion script of a shell"},
       {"man", all, {}, {}, {"page"}, Request{answer::Manual, false, Request::perhaps, ManualPages}, "", "about",
        "print the manual page, or that of the scene language"},
   };

@@ -10,7 +10,6 @@
 
 #include "source/app/options/OptionFacts.h"
 #include "source/app/options/Options.h"
-#include "source/app/options/Pixel.h"
 #include "source/film/PixelRectangle.h"
 
 namespace ray {

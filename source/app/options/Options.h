@@ -8,6 +8,11 @@
 
 namespace ray {
 
+/// The place of a pixel in an image.
+struct Pixel {
+  int x = 0, y = 0;  // column from the left, row from the bottom
+};
+
 /// What a command line says to any of the programs; each has its own options beside these.
 struct Options {
   explicit Options(const Program& which) : program(&which) {}

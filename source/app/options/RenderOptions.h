@@ -7,7 +7,6 @@
 #include "R2/ImageFile.h"
 #include "source/accelerate/AcceleratorSettings.h"
 #include "source/app/options/Options.h"
-#include "source/app/options/Pixel.h"
 #include "source/parse/Parse.h"
 #include "source/render/Layer.h"
 #include "source/render/Render.h"

@@ -22,16 +22,16 @@ std::vector<std::string_view> TextsOf(const LoadedScene& scene) {
   return texts;
 }
 
-RunStats RecordOf(const RenderOptions& options, const LoadedScene& scene, const RenderResult& result, double seconds) {
-  RunStats record;
-  record.options = options;
-  record.picture = options.files.picture;
-  record.scene.hash = SceneHash(scene.parsed.scene.files, TextsOf(scene));
-  record.scene.settings = SettingsInForce(scene.parsed.scene, options);
-  record.threads = ThreadsOf(options.render);
-  record.seconds.wall = seconds;
-  record.Take(result);
-  return record;
+RunStats StatsOf(const RenderOptions& options, const LoadedScene& scene, const RenderResult& result, double seconds) {
+  RunStats stats;
+  stats.options = options;
+  stats.picture = options.files.picture;
+  stats.scene.hash = SceneHash(scene.parsed.scene.files, TextsOf(scene));
+  stats.scene.settings = SettingsInForce(scene.parsed.scene, options);
+  stats.threads = ThreadsOf(options.render);
+  stats.seconds.wall = seconds;
+  stats.Take(result);
+  return stats;
 }
 
 }  // namespace
@@ -43,15 +43,15 @@ std::string SaveTraced(const PictureOutput* output, RenderOptions options, const
   if (view && CameraLine(*view) == CameraLine(scene.parsed.scene.camera)) view.reset();
   const PictureOutput place = output ? *output : ClaimImageName("jpg");
   options.files.picture = place.file.name;
-  const RunStats record = RecordOf(options, scene, result, seconds);
+  const RunStats stats = StatsOf(options, scene, result, seconds);
   try {
-    WritePicture({place.format, place.file, {}, {}, {}}, result, {}, record);
+    WritePicture({place.format, place.file, {}, {}, {}}, result, {}, stats);
   } catch (...) {
     std::error_code ignored;
     if (!output) std::filesystem::remove(place.file.target, ignored);  // claimed, and still empty
     throw;
   }
-  return FinalLine(record);
+  return FinalLine(stats);
 }
 
 void SaveDrawing(const PictureOutput& output, const R2::Image& drawing, R2::ImageEncoding encoding) {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "source/app/report/Messages.h"
-#include "source/app/report/Terminal.h"
 #include "source/text/Words.h"
 
 namespace ray {

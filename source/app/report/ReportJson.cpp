@@ -42,8 +42,8 @@ struct ValueIn {
 
 }  // namespace
 
-nlohmann::ordered_json SettingsJson(const RunStats& record) {
-  const RenderOptions& options = record.options;
+nlohmann::ordered_json SettingsJson(const RunStats& stats) {
+  const RenderOptions& options = stats.options;
   Json settings;
   for (const OptionKind& option : OptionTable(*options.program))
     if (IsSetting(option)) settings[option.name] = std::visit(ValueIn{options}, option.value);
@@ -77,33 +77,33 @@ Json Rays(const RayCounts& rays, std::uint64_t guides, const std::optional<Refin
   return json;
 }
 
-Json ErrorJson(const RunStats& record) {
-  if (!record.error) return {};
-  const ErrorEstimate& e = *record.error;
+Json ErrorJson(const RunStats& stats) {
+  if (!stats.error) return {};
+  const ErrorEstimate& e = *stats.error;
   const PixelRectangle& w = e.worst_block_at;
-  const auto& before = record.error_before_denoising;
+  const auto& before = stats.error_before_denoising;
   Json json = {{"estimate", e.estimate},
                {"low", e.low},
                {"high", e.high},
                {"unit", ErrorUnitName(e.unit)},
-               {"method", before               ? "two streams, denoised"
-                          : record.two_streams ? "two streams"
-                                               : "halves"},
+               {"method", before              ? "two streams, denoised"
+                          : stats.two_streams ? "two streams"
+                                              : "halves"},
                {"worst_block", {{"error", e.worst_block}, {"at", {w.x0, w.y0, w.x1, w.y1}}}},
                {"freedom", e.freedom},
                {"outlier_share", e.outlier_share},
                {"unseen_share", e.unseen_share}};
-  if (record.true_error) json["true_error"] = *record.true_error;
+  if (stats.true_error) json["true_error"] = *stats.true_error;
   if (before) {
     json["before_denoising"] = before->estimate;
-    json["denoised_by"] = record.denoised_by;
+    json["denoised_by"] = stats.denoised_by;
   }
   return json;
 }
 
-Json StopJson(const RunStats& record) {
-  const Budget& budget = record.options.render.budget;
-  Json json = {{"reason", record.stopped_by}, {"confidence", budget.confidence}};
+Json StopJson(const RunStats& stats) {
+  const Budget& budget = stats.options.render.budget;
+  Json json = {{"reason", stats.stopped_by}, {"confidence", budget.confidence}};
   json["seconds"] = budget.seconds > 0 ? Json(budget.seconds) : Json();
   json["error"] =
       budget.error ? Json{{"target", budget.error->value}, {"unit", ErrorUnitName(budget.error->unit)}} : Json();
@@ -111,38 +111,42 @@ Json StopJson(const RunStats& record) {
 }
 
 /// What -replay needs: how many samples each block took, or the one number of all.
-Json SamplesJson(const RunStats& record) {
-  Json json = {{"least", record.samples.least},
-               {"most", record.samples.most},
-               {"mean", record.samples.mean},
-               {"two_streams", record.two_streams},
-               {"planned_samples", record.planned_samples}};
-  const auto& blocks = record.block_samples;
+Json SamplesJson(const RunStats& stats) {
+  Json json = {{"least", stats.samples.least},
+               {"most", stats.samples.most},
+               {"mean", stats.samples.mean},
+               {"two_streams", stats.two_streams},
+               {"planned_samples", stats.planned_samples}};
+  const auto& blocks = stats.block_samples;
   const bool are_alike = std::adjacent_find(blocks.begin(), blocks.end(), std::not_equal_to<>()) == blocks.end();
   json["of_blocks"] = are_alike ? Json::array() : Json(blocks);
-  const auto& places = record.block_places;
+  const auto& places = stats.block_places;
   const bool has_looks = std::ranges::any_of(places, [](std::uint8_t count) { return count > 0; });
   json["places_of_blocks"] = has_looks ? Json(places) : Json::array();
   return json;
 }
 
-Json SceneJson(const RunStats& record) {
-  const auto& scene = record.scene;
-  return {{"file", record.options.files.scene}, {"hash", scene.hash},
-          {"nodes", scene.nodes},               {"instances", scene.instances},
-          {"primitives", scene.primitives},     {"lights", scene.lights}};
+Json SceneJson(const RunStats& stats) {
+  const auto& scene = stats.scene;
+  return {{"file", stats.options.files.scene},
+          {"hash", scene.hash},
+          {"nodes", scene.nodes},
+          {"instances", scene.instances},
+          {"primitives", scene.primitives},
+          {"lights", scene.lights}};
 }
 
-Json SecondsJson(const RunStats& record) {
-  const auto& seconds = record.seconds;
-  return {{"load", seconds.load},       {"build", seconds.build},   {"render", seconds.render},
-          {"denoise", record.denoise_seconds}, {"guides", record.guide_seconds}, {"write", seconds.write},
-          {"wall", seconds.wall},       {"cpu", seconds.cpu}};
+Json SecondsJson(const RunStats& stats) {
+  const auto& seconds = stats.seconds;
+  return {{"load", seconds.load},          {"build", seconds.build},
+          {"render", seconds.render},      {"denoise", stats.denoise_seconds},
+          {"guides", stats.guide_seconds}, {"write", seconds.write},
+          {"wall", seconds.wall},          {"cpu", seconds.cpu}};
 }
 
-Json Passes(const RunStats& record) {
+Json Passes(const RunStats& stats) {
   Json passes = Json::array();
-  for (const Pass& pass : record.passes) {
+  for (const Pass& pass : stats.passes) {
     Json json = {{"end", pass.end}, {"samples", pass.samples}, {"seconds", pass.seconds}};
     json["error"] = pass.error ? Json(pass.error->estimate) : Json();
     passes.push_back(json);
@@ -152,30 +156,30 @@ Json Passes(const RunStats& record) {
 
 }  // namespace
 
-std::string ReportJson(const RunStats& record) {
+std::string ReportJson(const RunStats& stats) {
   const Json report = {
       {"version", RAYPRO_VERSION},
-      {"command", record.command},
-      {"scene", SceneJson(record)},
-      {"settings", SettingsJson(record)},
-      {"rays", Rays(record.rays, record.guide_rays, record.refinement)},
-      {"counts", CostJson(record.rays.Cost())},
-      {"accelerator", record.accelerator},
-      {"structure_bytes", record.structure_bytes},
-      {"seconds", SecondsJson(record)},
-      {"peak_memory_bytes", record.peak_memory},
-      {"threads", record.threads},
-      {"pixels", {{"done", record.pixels_done}, {"total", record.pixels_total}}},
-      {"warnings", record.warnings},
-      {"stop", StopJson(record)},
-      {"features_required", record.needs},
-      {"kernel", record.kernel},
-      {"quality", record.options.quality},
-      {"biased", record.biased},
-      {"share_cut", record.share_cut},
-      {"samples", SamplesJson(record)},
-      {"error", ErrorJson(record)},
-      {"passes", Passes(record)},
+      {"command", stats.command},
+      {"scene", SceneJson(stats)},
+      {"settings", SettingsJson(stats)},
+      {"rays", Rays(stats.rays, stats.guide_rays, stats.refinement)},
+      {"counts", CostJson(stats.rays.Cost())},
+      {"accelerator", stats.accelerator},
+      {"structure_bytes", stats.structure_bytes},
+      {"seconds", SecondsJson(stats)},
+      {"peak_memory_bytes", stats.peak_memory},
+      {"threads", stats.threads},
+      {"pixels", {{"done", stats.pixels_done}, {"total", stats.pixels_total}}},
+      {"warnings", stats.warnings},
+      {"stop", StopJson(stats)},
+      {"features_required", stats.needs},
+      {"kernel", stats.kernel},
+      {"quality", stats.options.quality},
+      {"biased", stats.biased},
+      {"share_cut", stats.share_cut},
+      {"samples", SamplesJson(stats)},
+      {"error", ErrorJson(stats)},
+      {"passes", Passes(stats)},
   };
   // File names are bytes and need not be UTF-8, which JSON must be.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -8,9 +8,9 @@
 namespace ray {
 
 /// What -report writes: one JSON object with the keys of ReportFields.
-std::string ReportJson(const RunStats& record);
+std::string ReportJson(const RunStats& stats);
 
 /// The part of it called settings.
-nlohmann::ordered_json SettingsJson(const RunStats& record);
+nlohmann::ordered_json SettingsJson(const RunStats& stats);
 
 }  // namespace ray

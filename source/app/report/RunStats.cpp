@@ -16,35 +16,35 @@ namespace {
 
 std::string ShortCountText(double count) { return count == std::floor(count) ? CountText(count) : Fixed(count, 1); }
 
-std::string PixelsText(const RunStats& record) {
-  if (record.IsComplete() && !IsSubsampled(record.options.render)) return "complete";
-  if (record.IsComplete())
-    return "complete: " + std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) +
+std::string PixelsText(const RunStats& stats) {
+  if (stats.IsComplete() && !IsSubsampled(stats.options.render)) return "complete";
+  if (stats.IsComplete())
+    return "complete: " + std::to_string(stats.pixels_done) + " of " + std::to_string(stats.pixels_total) +
            " pixels traced, the others interpolated";
-  if (record.pixels_done < record.pixels_total)
-    return std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total) + " pixels done";
-  const bool is_known = !record.options.render.budget.IsOpen() && record.options.files.replay.empty();
-  const std::string wanted = is_known ? " of " + std::to_string(record.options.render.samples) : "";
-  return ShortCountText(record.samples.mean) + wanted + " samples per pixel done";
+  if (stats.pixels_done < stats.pixels_total)
+    return std::to_string(stats.pixels_done) + " of " + std::to_string(stats.pixels_total) + " pixels done";
+  const bool is_known = !stats.options.render.budget.IsOpen() && stats.options.files.replay.empty();
+  const std::string wanted = is_known ? " of " + std::to_string(stats.options.render.samples) : "";
+  return ShortCountText(stats.samples.mean) + wanted + " samples per pixel done";
 }
 
 /// Per pixel: as asked for, where that decided; as they became, where a clock, an error or a signal did.
-double SamplesOf(const RunStats& record) {
-  const RenderSettings& render = record.options.render;
-  const bool is_asked_for = !render.budget.IsOpen() && !render.denoise && record.options.files.replay.empty();
-  return is_asked_for && record.IsComplete() && !IsSubsampled(render) ? render.samples : record.samples.mean;
+double SamplesOf(const RunStats& stats) {
+  const RenderSettings& render = stats.options.render;
+  const bool is_asked_for = !render.budget.IsOpen() && !render.denoise && stats.options.files.replay.empty();
+  return is_asked_for && stats.IsComplete() && !IsSubsampled(render) ? render.samples : stats.samples.mean;
 }
 
 /// "16 spp", "1 spp at 3.1% of the pixels, the others interpolated,"
-std::string SppText(const RunStats& record) {
-  const double samples = SamplesOf(record);
+std::string SppText(const RunStats& stats) {
+  const double samples = SamplesOf(stats);
   if (samples < 1) return "1 spp at " + Fixed(100 * samples, 1) + "% of the pixels, the others interpolated,";
   return ShortCountText(samples) + " spp";
 }
 
-double MegaraysPerSecond(const RunStats& record) {
-  const auto rays = static_cast<double>(record.rays.Total() - record.rays_before);
-  return record.seconds.wall > 0 ? 1e-6 * rays / record.seconds.wall : 0;
+double MegaraysPerSecond(const RunStats& stats) {
+  const auto rays = static_cast<double>(stats.rays.Total() - stats.rays_before);
+  return stats.seconds.wall > 0 ? 1e-6 * rays / stats.seconds.wall : 0;
 }
 
 std::string Seconds(double seconds) { return Fixed(seconds, 3) + " s"; }
@@ -64,8 +64,8 @@ std::string CostPerRay(const RayCounts::Kind& kind) {
 }
 
 /// " (too dark by about 2%)" where settings cut off light.
-std::string DarknessText(const RunStats& record) {
-  return record.share_cut > 0 ? " (too dark by about " + Rounded(100 * record.share_cut, 2) + "%)" : "";
+std::string DarknessText(const RunStats& stats) {
+  return stats.share_cut > 0 ? " (too dark by about " + Rounded(100 * stats.share_cut, 2) + "%)" : "";
 }
 
 bool CutsLight(const std::string& setting) {
@@ -73,9 +73,9 @@ bool CutsLight(const std::string& setting) {
 }
 
 /// "-max_depth 3, -sampler grid", of the settings that cut light off or of the others.
-std::string BiasText(const RunStats& record, bool cuts_light) {
+std::string BiasText(const RunStats& stats, bool cuts_light) {
   std::string list;
-  for (const std::string& setting : record.biased) {
+  for (const std::string& setting : stats.biased) {
     if (setting == "denoise") continue;  // printed with the error
     if (CutsLight(setting) == cuts_light) list += (list.empty() ? "-" : ", -") + setting;
   }
@@ -84,9 +84,9 @@ std::string BiasText(const RunStats& record, bool cuts_light) {
 
 /// "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2%), biased by -adaptive tile"; nothing for no
 /// limits.
-std::string LimitsText(const RunStats& record) {
-  const std::string cut = record.share_cut > 0 ? BiasText(record, true) : "", moved = BiasText(record, false);
-  return (cut.empty() ? "" : "; limited by " + cut + DarknessText(record)) +
+std::string LimitsText(const RunStats& stats) {
+  const std::string cut = stats.share_cut > 0 ? BiasText(stats, true) : "", moved = BiasText(stats, false);
+  return (cut.empty() ? "" : "; limited by " + cut + DarknessText(stats)) +
          (moved.empty() ? "" : (cut.empty() ? "; biased by " : ", biased by ") + moved);
 }
 
@@ -100,26 +100,24 @@ std::string FreedomText(const ErrorEstimate& error) {
 }
 
 /// Another version of a library may make another picture.
-bool IsDenoisedByLibrary(const RunStats& record) {
-  return !record.denoised_by.empty() && record.options.render.denoiser != Denoiser::regression;
+bool IsDenoisedByLibrary(const RunStats& stats) {
+  return !stats.denoised_by.empty() && stats.options.render.denoiser != Denoiser::regression;
 }
 
 /// " by Open Image Denoise 2.5.1"; nothing for our own filter.
-std::string DenoiserText(const RunStats& record) {
-  return IsDenoisedByLibrary(record) ? " by " + record.denoised_by : "";
-}
+std::string DenoiserText(const RunStats& stats) { return IsDenoisedByLibrary(stats) ? " by " + stats.denoised_by : ""; }
 
-std::string StopText(const RunStats& record) {
-  const bool has_stalled = record.stop == Stop::stall;
-  return (has_stalled ? "an error that does not fall" : record.stopped_by) +
-         (record.seconds.shared > 0 ? " after " + Fixed(record.seconds.shared, 2) + " s" : "");
+std::string StopText(const RunStats& stats) {
+  const bool has_stalled = stats.stop == Stop::stall;
+  return (has_stalled ? "an error that does not fall" : stats.stopped_by) +
+         (stats.seconds.shared > 0 ? " after " + Fixed(stats.seconds.shared, 2) + " s" : "");
 }
 
 /// What an error that was asked for and not reached would take.
-std::string ForecastText(const RunStats& record) {
-  const auto& target = record.options.render.budget.error;
-  const auto forecast = target ? ForecastOf(record.passes, *target) : std::nullopt;
-  if (!forecast || !(forecast->samples > record.samples.mean)) return {};
+std::string ForecastText(const RunStats& stats) {
+  const auto& target = stats.options.render.budget.error;
+  const auto forecast = target ? ForecastOf(stats.passes, *target) : std::nullopt;
+  if (!forecast || !(forecast->samples > stats.samples.mean)) return {};
   constexpr double most = 1e9;  // that a render takes
   return (forecast->samples < most ? ", about " + Rounded(forecast->samples, 2) : ", more than 1e9") + " for " +
          ErrorText(target->value, target->unit);
@@ -132,29 +130,29 @@ std::string Listed(const std::vector<std::string>& words) {
 }
 
 template <typename Line>
-std::string ErrorLines(const RunStats& record, const Line& line) {
-  if (!record.error) return {};
-  const ErrorEstimate& e = *record.error;
+std::string ErrorLines(const RunStats& stats, const Line& line) {
+  if (!stats.error) return {};
+  const ErrorEstimate& e = *stats.error;
   const PixelRectangle& w = e.worst_block_at;
   std::string text =
-      line(record.error_before_denoising ? "error, denoised"
-           : record.two_streams          ? "error"
-                                         : "error, at most",
+      line(stats.error_before_denoising ? "error, denoised"
+           : stats.two_streams          ? "error"
+                                        : "error, at most",
            ErrorText(e.estimate, e.unit) + ", " + ErrorText(e.low, e.unit) + " to " + ErrorText(e.high, e.unit)) +
       line("worst block", ErrorText(e.worst_block, e.unit) + " at " + std::to_string(w.x0) + " " +
                               std::to_string(w.y0) + " " + std::to_string(w.x1) + " " + std::to_string(w.y1)) +
       line("outliers", Fixed(100 * e.outlier_share, 1) + "% of it in the worst 0.1% of the pixels");
-  if (record.true_error) text += line("true error", ErrorText(*record.true_error, e.unit));
-  if (const auto& before = record.error_before_denoising)
+  if (stats.true_error) text += line("true error", ErrorText(*stats.true_error, e.unit));
+  if (const auto& before = stats.error_before_denoising)
     text +=
-        line("denoised by", record.denoised_by) + line("before denoising", ErrorText(before->estimate, before->unit));
+        line("denoised by", stats.denoised_by) + line("before denoising", ErrorText(before->estimate, before->unit));
   return text;
 }
 
 /// "rays saved: 153600 of 360000 camera rays, where neighboring pixels are alike"
-std::string SavedText(const RunStats& record) {
-  const double pixels = static_cast<double>(record.pixels_total);
-  const double all = pixels * record.planned_samples, saved = all - pixels * record.samples.mean;
+std::string SavedText(const RunStats& stats) {
+  const double pixels = static_cast<double>(stats.pixels_total);
+  const double all = pixels * stats.planned_samples, saved = all - pixels * stats.samples.mean;
   return "rays saved: " + Fixed(saved, 0) + " of " + Fixed(all, 0) +
          " camera rays, where neighboring pixels are alike\n";
 }
@@ -177,65 +175,63 @@ std::string CommandAsTyped(std::span<const std::string> words) {
   return words.empty() ? "raypro" : "raypro " + ShellLine(words);
 }
 
-R2::ImageSettings SettingsInPicture(const RunStats& record) {
+R2::ImageSettings SettingsInPicture(const RunStats& stats) {
   R2::ImageSettings settings{
       {"program", "raypro " RAYPRO_VERSION},
-      {"command", record.options.as_course ? record.command : RayproCommand(record.options)},
-      {"scene_hash", record.scene.hash},
-      {"seed", std::to_string(record.options.render.seed)},
-      {"samples", CountText(SamplesOf(record))},  // a weight for what merges pictures
-      {"accel", record.options.accelerator.name},
-      {"pixels", PixelsText(record)},
+      {"command", stats.options.as_course ? stats.command : RayproCommand(stats.options)},
+      {"scene_hash", stats.scene.hash},
+      {"seed", std::to_string(stats.options.render.seed)},
+      {"samples", CountText(SamplesOf(stats))},  // a weight for what merges pictures
+      {"accel", stats.options.accelerator.name},
+      {"pixels", PixelsText(stats)},
   };
-  if (IsDenoisedByLibrary(record)) settings["denoised_by"] = record.denoised_by;
-  if (record.options.keep_times) {
-    settings["seconds"] = Fixed(record.seconds.wall, 3);
-    settings["threads"] = std::to_string(record.threads);
+  if (IsDenoisedByLibrary(stats)) settings["denoised_by"] = stats.denoised_by;
+  if (stats.options.keep_times) {
+    settings["seconds"] = Fixed(stats.seconds.wall, 3);
+    settings["threads"] = std::to_string(stats.threads);
   }
-  if (const auto& view = record.options.render.view) settings["camera"] = CameraLine(*view);
-  for (const std::string& setting : record.scene.settings)
+  if (const auto& view = stats.options.render.view) settings["camera"] = CameraLine(*view);
+  for (const std::string& setting : stats.scene.settings)
     settings["scene_settings"] += (settings["scene_settings"].empty() ? "" : ", ") + setting;
   return settings;
 }
 
-std::string LimitsOfLight(const RunStats& record) { return BiasText(record, true); }
+std::string LimitsOfLight(const RunStats& stats) { return BiasText(stats, true); }
 
-std::string FinalLine(const RunStats& record) {
-  return Escaped(record.picture) + " " + std::to_string(record.width) + "x" + std::to_string(record.height) + " " +
-         SppText(record) + " " + Fixed(record.seconds.wall, 2) + " s " + Fixed(MegaraysPerSecond(record), 1) +
-         " Mrays/s" + (record.IsComplete() ? "" : " (stopped by " + record.stopped_by + ", " + PixelsText(record) + ")") +
-         "\n";
+std::string FinalLine(const RunStats& stats) {
+  return Escaped(stats.picture) + " " + std::to_string(stats.width) + "x" + std::to_string(stats.height) + " " +
+         SppText(stats) + " " + Fixed(stats.seconds.wall, 2) + " s " + Fixed(MegaraysPerSecond(stats), 1) + " Mrays/s" +
+         (stats.IsComplete() ? "" : " (stopped by " + stats.stopped_by + ", " + PixelsText(stats) + ")") + "\n";
 }
 
-std::string QualityLines(const RunStats& record) {
-  const bool is_asked = record.options.render.budget.IsOpen() || record.options.render.denoise || record.true_error;
-  if (!is_asked)
-    return SamplesWhereNeighborsDiffer(record.options.render) && record.IsComplete() ? SavedText(record) : "";
+std::string QualityLines(const RunStats& stats) {
+  const bool is_asked = stats.options.render.budget.IsOpen() || stats.options.render.denoise || stats.true_error;
+  if (!is_asked) return SamplesWhereNeighborsDiffer(stats.options.render) && stats.IsComplete() ? SavedText(stats) : "";
   std::string text;
-  if (record.error) {
-    const ErrorEstimate& e = *record.error;
-    text = std::string(record.two_streams ? "estimated error " : "estimated error at most ") +
-           ErrorText(e.estimate, e.unit) + " (" + Rounded(100 * record.options.render.budget.confidence, 6) +
+  if (stats.error) {
+    const ErrorEstimate& e = *stats.error;
+    text = std::string(stats.two_streams ? "estimated error " : "estimated error at most ") +
+           ErrorText(e.estimate, e.unit) + " (" + Rounded(100 * stats.options.render.budget.confidence, 6) +
            "%: " + Rounded(e.low, 3) + " to " + Rounded(e.high, 3) + FreedomText(e) + ")";
-    if (const auto& before = record.error_before_denoising)
-      text += " denoised" + DenoiserText(record) + ", " + ErrorText(before->estimate, before->unit) + " before";
-    if (record.true_error) text += ", true error " + ErrorText(*record.true_error, e.unit);
+    if (const auto& before = stats.error_before_denoising)
+      text += " denoised" + DenoiserText(stats) + ", " + ErrorText(before->estimate, before->unit) + " before";
+    if (stats.true_error) text += ", true error " + ErrorText(*stats.true_error, e.unit);
     text += "; ";
-  } else if (record.true_error) {
-    text = "true error " + ErrorText(*record.true_error, ErrorUnit::display) + "; ";
+  } else if (stats.true_error) {
+    text = "true error " + ErrorText(*stats.true_error, ErrorUnit::display) + "; ";
   }
-  return text + "stopped by " + StopText(record) + " at " + Fixed(record.samples.mean, 1) + " samples per pixel" +
-         ForecastText(record) + LimitsText(record) + "\n";
+  return text + "stopped by " + StopText(stats) + " at " + Fixed(stats.samples.mean, 1) + " samples per pixel" +
+         ForecastText(stats) + LimitsText(stats) + "\n";
 }
 
-std::string Statistics(const RunStats& record) {
+std::string Statistics(const RunStats& stats) {
   const auto line = [](std::string name, const std::string& value) {
     constexpr std::size_t column_of_values = 18;
     name.resize(column_of_values, ' ');
     return "  " + name + value + "\n";
   };
   const auto count = [&](const char* name, auto number) { return line(name, std::to_string(number)); };
-  const auto& [scene, rays, seconds] = std::tie(record.scene, record.rays, record.seconds);
+  const auto& [scene, rays, seconds] = std::tie(stats.scene, stats.rays, stats.seconds);
   std::string kinds, costs;
   for (std::size_t i = 0; i < ray_kind_names.size(); ++i) {
     const RayCounts::Kind& kind = rays.kinds[i];
@@ -246,26 +242,26 @@ std::string Statistics(const RunStats& record) {
   return "scene\n" + line("hash", scene.hash) + count("nodes", scene.nodes) + count("instances", scene.instances) +
          count("primitives", scene.primitives) + count("lights", scene.lights) + "rays\n" + kinds +
          count("terminated", rays.cut) + count("invalid", cost.bad_rays) + count("total", rays.Total()) +
-         (record.guide_rays > 0 ? count("  for guides", record.guide_rays) : "") + "tests\n" +
+         (stats.guide_rays > 0 ? count("  for guides", stats.guide_rays) : "") + "tests\n" +
          count("nodes", cost.node_visits) + count("boxes", cost.box_tests) + count("primitives", cost.primitive_tests) +
          count("hits", cost.hits) + count("last-hit lookups", cost.cache_tests) +
          count("last-hit hits", cost.cache_hits) + "tests per ray       nodes     boxes  primitives    hits\n" + costs +
          "time\n" + line("load", Seconds(seconds.load)) + line("build", Seconds(seconds.build)) +
          line("render", Seconds(seconds.render)) +
-         (record.denoise_seconds > 0
-              ? line("  denoise", Seconds(record.denoise_seconds)) + line("    guides", Seconds(record.guide_seconds))
+         (stats.denoise_seconds > 0
+              ? line("  denoise", Seconds(stats.denoise_seconds)) + line("    guides", Seconds(stats.guide_seconds))
               : "") +
          line("write", Seconds(seconds.write)) + line("wall", Seconds(seconds.wall)) +
-         line("cpu", Seconds(seconds.cpu)) + "run\n" + count("threads", record.threads) +
-         line("accelerator", record.accelerator + " (-accel " + record.options.accelerator.name + ")") +
-         line("structure", Fixed(1e-6 * static_cast<double>(record.structure_bytes), 1) + " MB") +
-         line("peak memory", Fixed(1e-6 * static_cast<double>(record.peak_memory), 1) + " MB") +
-         line("pixels", std::to_string(record.pixels_done) + " of " + std::to_string(record.pixels_total)) +
-         line("kernel", record.kernel) + "image\n" +
-         line("samples", std::to_string(record.samples.least) + " to " + std::to_string(record.samples.most) +
-                             " per pixel, mean " + Fixed(record.samples.mean, 2)) +
-         ErrorLines(record, line) + line("bias from", Listed(record.biased) + DarknessText(record)) +
-         line("stopped", record.stopped_by);
+         line("cpu", Seconds(seconds.cpu)) + "run\n" + count("threads", stats.threads) +
+         line("accelerator", stats.accelerator + " (-accel " + stats.options.accelerator.name + ")") +
+         line("structure", Fixed(1e-6 * static_cast<double>(stats.structure_bytes), 1) + " MB") +
+         line("peak memory", Fixed(1e-6 * static_cast<double>(stats.peak_memory), 1) + " MB") +
+         line("pixels", std::to_string(stats.pixels_done) + " of " + std::to_string(stats.pixels_total)) +
+         line("kernel", stats.kernel) + "image\n" +
+         line("samples", std::to_string(stats.samples.least) + " to " + std::to_string(stats.samples.most) +
+                             " per pixel, mean " + Fixed(stats.samples.mean, 2)) +
+         ErrorLines(stats, line) + line("bias from", Listed(stats.biased) + DarknessText(stats)) +
+         line("stopped", stats.stopped_by);
 }
 
 }  // namespace ray

@@ -24,7 +24,7 @@ class Completion : public ::testing::Test {
   /// What bash offers for the last of the words, in the order of the alphabet, with strokes between.
   std::string Offers(const Program& program, const std::string& words) const {
     const std::string script = folder_ / "complete.mp3";
-    ray::testing::WriteFile(script, CompletionScript(program, "bash"));
+    ray::testing::WriteFile(script, BashCompletion(program));
     const std::string command = "cd \"" + folder_ / "." +
                                 "\" && bash -c '. ./complete.mp3; rm complete.mp3; COMP_WORDS=(" + words +
                                 "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _" + NameOf(program) +
@@ -95,15 +95,6 @@ TEST_F(Completion, BashOffersTheFilesAnOptionTakes) {
 TEST_F(Completion, BashOffersFoldersForFolders) {
   EXPECT_EQ(Raypro("-out_folder \"\""), "sub");
   EXPECT_EQ(Raypro("-allow_path \"\""), "sub");
-}
-
-TEST_F(Completion, OtherShellsLearnTheFilesAnOptionTakes) {
-  const std::string zsh = CompletionScript(Program::raypro, "zsh");
-  EXPECT_TRUE(ray::testing::Has(zsh, ":folder:_files -/'"));
-  EXPECT_TRUE(ray::testing::Has(zsh, ":out.scn:_files -g \"*.(#i)(scn)\"'"));
-  const std::string fish = CompletionScript(Program::raypro, "fish");
-  EXPECT_TRUE(ray::testing::Has(fish, " -x -a '(__fish_complete_directories)'"));
-  EXPECT_TRUE(ray::testing::Has(fish, "(for extension in .scn; __fish_complete_suffix $extension; end)"));
 }
 
 }  // namespace

@@ -11,21 +11,21 @@ namespace ray {
 namespace {
 
 RunStats ExampleStats() {
-  RunStats record;
-  record.options.files.scene = "in.scn";
-  record.options.files.picture = record.picture = "out.png";
-  record.options.render.crop = PixelRectangle{1, 2, 3, 4};
-  record.options.render.seed = 18446744073709551615u;
-  record.options.parse.allowed_folders = {"a", "b"};
-  record.command = CommandAsTyped(std::vector<std::string>{"in.scn", "out put.png"});
-  for (std::size_t i = 0; i < record.rays.kinds.size(); ++i) record.rays.kinds[i].rays = i + 1;
-  record.rays.cut = 5;
-  record.pixels_done = 3;
-  record.pixels_total = 4;
-  record.width = record.height = 2;
-  record.stopped_by = "SIGINT";
-  record.samples.mean = 1;
-  return record;
+  RunStats stats;
+  stats.options.files.scene = "in.scn";
+  stats.options.files.picture = stats.picture = "out.png";
+  stats.options.render.crop = PixelRectangle{1, 2, 3, 4};
+  stats.options.render.seed = 18446744073709551615u;
+  stats.options.parse.allowed_folders = {"a", "b"};
+  stats.command = CommandAsTyped(std::vector<std::string>{"in.scn", "out put.png"});
+  for (std::size_t i = 0; i < stats.rays.kinds.size(); ++i) stats.rays.kinds[i].rays = i + 1;
+  stats.rays.cut = 5;
+  stats.pixels_done = 3;
+  stats.pixels_total = 4;
+  stats.width = stats.height = 2;
+  stats.stopped_by = "SIGINT";
+  stats.samples.mean = 1;
+  return stats;
 }
 
 // A program that reads reports must be able to rely on what the manual says of them.
@@ -57,9 +57,9 @@ TEST(ReportJson, HoldsEverySettingWithItsType) {
 }
 
 TEST(ReportJson, SurvivesNamesThatAreNotUtf8) {
-  RunStats record = ExampleStats();
-  record.options.files.scene = "\xff\xfe.scn";
-  EXPECT_TRUE(nlohmann::json::accept(ReportJson(record)));
+  RunStats stats = ExampleStats();
+  stats.options.files.scene = "\xff\xfe.scn";
+  EXPECT_TRUE(nlohmann::json::accept(ReportJson(stats)));
 }
 
 TEST(RunStats, ThePictureKeepsHowItWasMade) {
@@ -71,37 +71,37 @@ TEST(RunStats, ThePictureKeepsHowItWasMade) {
 
 // Whoever keeps pictures by their checksums, or compares those of two machines, must see no difference.
 TEST(RunStats, ThePictureTellsNoTimeAndNoThreadsUnlessAsked) {
-  RunStats record = ExampleStats();
-  const auto once = SettingsInPicture(record);
-  record.seconds.wall = 12;
-  record.threads = record.options.render.threads = 77;
-  record.options.given.emplace_back("threads");
-  EXPECT_EQ(SettingsInPicture(record), once);
-  record.options.keep_times = true;
-  auto with_times = SettingsInPicture(record);
+  RunStats stats = ExampleStats();
+  const auto once = SettingsInPicture(stats);
+  stats.seconds.wall = 12;
+  stats.threads = stats.options.render.threads = 77;
+  stats.options.given.emplace_back("threads");
+  EXPECT_EQ(SettingsInPicture(stats), once);
+  stats.options.keep_times = true;
+  auto with_times = SettingsInPicture(stats);
   EXPECT_EQ(with_times["seconds"], "12.000");
   EXPECT_EQ(with_times["threads"], "77");
 }
 
 TEST(RunStats, TheLastLineOfARunSaysWhatItMade) {
-  RunStats record = ExampleStats();
-  record.seconds.wall = 2;
-  record.rays[ray::RayKind::camera].rays = 28'399'991;
-  EXPECT_EQ(FinalLine(record), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 3 of 4 pixels done)\n");
+  RunStats stats = ExampleStats();
+  stats.seconds.wall = 2;
+  stats.rays[ray::RayKind::camera].rays = 28'399'991;
+  EXPECT_EQ(FinalLine(stats), "out.png 2x2 1 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 3 of 4 pixels done)\n");
   // A signal may come when every pixel has some of its samples. They are a weight for what merges pictures.
-  record.pixels_done = 4;
-  record.options.render.samples = 1000;
-  record.samples.mean = 5.5;
-  EXPECT_EQ(FinalLine(record),
+  stats.pixels_done = 4;
+  stats.options.render.samples = 1000;
+  stats.samples.mean = 5.5;
+  EXPECT_EQ(FinalLine(stats),
             "out.png 2x2 5.5 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 5.5 of 1000 samples per pixel done)\n");
-  EXPECT_EQ(SettingsInPicture(record)["samples"], "5.5");
+  EXPECT_EQ(SettingsInPicture(stats)["samples"], "5.5");
   for (const char* stop : {"samples", "time", "error"}) {
-    record.stopped_by = stop;
-    EXPECT_EQ(FinalLine(record), "out.png 2x2 1000 spp 2.00 s 14.2 Mrays/s\n");
+    stats.stopped_by = stop;
+    EXPECT_EQ(FinalLine(stats), "out.png 2x2 1000 spp 2.00 s 14.2 Mrays/s\n");
   }
-  record.options.render.budget.seconds = 2;
-  record.samples.mean = 0.031;
-  EXPECT_EQ(FinalLine(record),
+  stats.options.render.budget.seconds = 2;
+  stats.samples.mean = 0.031;
+  EXPECT_EQ(FinalLine(stats),
             "out.png 2x2 1 spp at 3.1% of the pixels, the others interpolated, 2.00 s 14.2 Mrays/s\n");
 }
 

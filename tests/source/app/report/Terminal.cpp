@@ -1,4 +1,4 @@
-#include "source/app/report/Terminal.h"
+#include "source/app/report/Messages.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

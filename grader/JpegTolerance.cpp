@@ -1,4 +1,4 @@
-#include "grader/Compression.h"
+#include "grader/JpegTolerance.h"
 
 #include <algorithm>
 
