@@ -1,6 +1,7 @@
 // What most tests include. The Makefile compiles it once and puts it before each of them; they include what they need
 // all the same.
-#pragma once
+#ifndef RAYPRO_TESTS_HEADERS
+#define RAYPRO_TESTS_HEADERS
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -33,3 +34,5 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#endif

@@ -154,7 +154,8 @@ TEST(Extremes, K11_ImpossibleOutputFilesAreRefusedBeforeRendering) {
 
 TEST(OutputFile, ALongNameThatTheFileSystemTakesIsTaken) {
   const TemporaryFolder folder;
-  const std::string name = std::string(251, 'x') + ".ppm";
+  std::string name(251, 'x');
+  name += ".ppm";
   WriteWhole(CheckOutput(folder / name, {}), Bytes("long"));
   EXPECT_EQ(ReadFile(folder / name), "long");
 }
