@@ -1,13 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "R2/Color.h"
 #include "R3/Box.h"
+#include "R3/Vector.h"
 
 /// What is drawn, as lists that know nothing of OpenGL.
 namespace ray {
@@ -76,5 +79,15 @@ struct Label {
   /// What stands for a light color there: dark, and of the same hue.
   static Rgba OnLight(const Rgba& color);
 };
+
+// Numbers in single precision, as a GPU takes them: what is beyond its range becomes the largest there is.
+
+inline float AsFloat(double x) {
+  constexpr double most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(x, -most, most));
+}
+
+inline std::array<float, 3> AsFloats(const R2::Color& c) { return {AsFloat(c.r), AsFloat(c.g), AsFloat(c.b)}; }
+inline std::array<float, 3> AsFloats(const R3::Vector& v) { return {AsFloat(v.x), AsFloat(v.y), AsFloat(v.z)}; }
 
 }  // namespace ray

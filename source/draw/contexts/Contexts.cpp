@@ -1,3 +1,5 @@
+#include <epoxy/gl.h>
+
 #include <array>
 #include <span>
 
@@ -5,7 +7,6 @@
 #include "source/draw/contexts/ContextKind.h"
 
 namespace ray {
-
 namespace {
 
 /// A kind that may not be built in here.
@@ -78,5 +79,15 @@ std::unique_ptr<Window> MakeWindow(int, int, const std::string&) {
   throw ContextError("windows are not built in; install libglfw3-dev and rebuild, or use rayview -headless");
 }
 #endif
+
+std::string CurrentRenderer() {
+  const auto text = [](GLenum what) {
+    const GLubyte* string = glGetString(what);
+    return std::string(string ? reinterpret_cast<const char*>(string) : "unknown");
+  };
+  // The version is followed by the vendor's own.
+  const std::string version = text(GL_VERSION);
+  return text(GL_RENDERER) + ", OpenGL " + version.substr(0, version.find(' '));
+}
 
 }  // namespace ray

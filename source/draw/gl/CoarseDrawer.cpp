@@ -1,11 +1,10 @@
 #include "source/draw/gl/CoarseDrawer.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "source/draw/contexts/Context.h"
-#include "source/draw/gl/Target.h"
+#include "source/draw/gl/Canvas.h"
 
 namespace ray {
 namespace {
@@ -35,11 +34,7 @@ void Describe(const Texture2D& texture, GLint format, GLenum channels, GLenum ty
               GLint filter) {
   glBindTexture(GL_TEXTURE_2D, texture.Name());
   glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, channels, type, nullptr);
-  for (const GLenum name : std::array<GLenum, 2>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    glTexParameteri(GL_TEXTURE_2D, name, filter);
-  for (const GLenum name : std::array<GLenum, 2>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    glTexParameteri(GL_TEXTURE_2D, name, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  ReadFirstLevel(GL_TEXTURE_2D, filter);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "source/draw/gl/Upload.h"
+#include "source/draw/gl/Objects.h"
 
 namespace ray {
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "source/draw/gl/Target.h"
-#include "source/draw/gl/Upload.h"
-#include "source/draw/preview/Floats.h"
+#include "source/draw/Drawing.h"
+#include "source/draw/gl/Canvas.h"
+#include "source/draw/gl/Objects.h"
 
 namespace ray {
 namespace {

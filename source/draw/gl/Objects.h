@@ -2,7 +2,10 @@
 
 #include <epoxy/gl.h>
 
+#include <cstddef>
 #include <utility>
+
+#include "source/draw/contexts/Context.h"
 
 namespace ray {
 
@@ -30,5 +33,26 @@ using Texture2D = Object<glGenTextures, glDeleteTextures>;
 using Sampler = Object<glGenSamplers, glDeleteSamplers>;
 using Framebuffer = Object<glGenFramebuffers, glDeleteFramebuffers>;
 using Renderbuffer = Object<glGenRenderbuffers, glDeleteRenderbuffers>;
+
+inline const void* Offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+GLsizeiptr Bytes(const auto& list) { return static_cast<GLsizeiptr>(list.size() * sizeof(list[0])); }
+
+/// Describes an attribute of the vertices in the bound buffer to the bound array. Whole numbers become 0..1, or -1..1.
+inline void Describe(GLuint location, GLint count, GLenum type, std::size_t stride, std::size_t offset) {
+  glEnableVertexAttribArray(location);
+  glVertexAttribPointer(location, count, type, type != GL_FLOAT, static_cast<GLsizei>(stride), Offset(offset));
+}
+
+/// Of the bound texture only the first level is read, by that filter, and nothing beyond its edges.
+inline void ReadFirstLevel(GLenum target, GLint filter) {
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) glTexParameteri(target, name, filter);
+  for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(target, name, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+inline void CheckMemory() {
+  if (glGetError() == GL_OUT_OF_MEMORY) throw ContextError("out of GPU memory");
+}
 
 }  // namespace ray

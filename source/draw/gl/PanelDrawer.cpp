@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "source/draw/gl/Upload.h"
+#include "source/draw/gl/Objects.h"
 
 namespace ray {
 
@@ -48,9 +48,7 @@ PanelDrawer::Gpu::Gpu() : program("panels", vertex_shader, fragment_shader) {
 void PanelDrawer::Gpu::Upload(const InkSheet& letters) {
   glBindTexture(GL_TEXTURE_2D, sheet.Name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, letters.width, letters.height, 0, GL_RED, GL_UNSIGNED_BYTE, letters.ink.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  ReadFirstLevel(GL_TEXTURE_2D, GL_NEAREST);
 }
 
 void PanelDrawer::Draw(const PanelDrawing& panels, const Canvas& canvas) {

@@ -73,11 +73,7 @@ float FirstOf(int byte, bool srgb) {
   return std::bit_cast<float>(reached);
 }
 
-void UseNearest() {
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-}
+void UseNearest() { ReadFirstLevel(GL_TEXTURE_2D, GL_NEAREST); }
 
 }  // namespace
 

@@ -1,9 +1,7 @@
 #include "source/draw/gl/ShadowMaps.h"
 
-#include <array>
-
-#include "source/draw/gl/Target.h"
-#include "source/draw/gl/Upload.h"
+#include "source/draw/gl/Canvas.h"
+#include "source/draw/gl/Objects.h"
 
 namespace ray {
 
@@ -18,11 +16,7 @@ GpuShadows FilledShadows(int count, const std::function<void(int map)>& draw) {
   glBindTexture(GL_TEXTURE_2D_ARRAY, shadows.maps.Name());
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, side, side, count, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
                nullptr);
-  for (const GLenum name : std::array<GLenum, 2>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, name, GL_LINEAR);  // between the answers of four texels
-  for (const GLenum name : std::array<GLenum, 2>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, name, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+  ReadFirstLevel(GL_TEXTURE_2D_ARRAY, GL_LINEAR);  // between the answers of four texels
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   CheckMemory();
 

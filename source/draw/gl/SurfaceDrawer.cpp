@@ -7,11 +7,10 @@
 #include <limits>
 #include <utility>
 
+#include "source/draw/Drawing.h"
 #include "source/draw/gl/Canvas.h"
 #include "source/draw/gl/MirrorProbes.h"
-#include "source/draw/gl/Target.h"
-#include "source/draw/gl/Upload.h"
-#include "source/draw/preview/Floats.h"
+#include "source/draw/gl/Objects.h"
 
 namespace ray {
 
@@ -62,12 +61,6 @@ constexpr GLint paint_unit = 0, relief_unit = 1, environment_unit = 2, shadows_u
 constexpr int most_texels = 2048;  // per side of a texture or environment: 24 MB in half precision
 constexpr GLint few_lights = 8;    // that a renderer in software shades while the view moves
 constexpr double rim = 0.25;       // brightness at the rim of a full mirror that shows nothing
-
-/// Whether a mode shows the background where there is no surface.
-bool ShowsBackground(RenderMode mode) {
-  return !ShowsDepth(mode) && mode != RenderMode::normal && mode != RenderMode::normal_color &&
-         mode != RenderMode::uv && mode != RenderMode::uv_color;
-}
 
 constexpr float most_half = 65504;  // that a half-precision float can hold
 

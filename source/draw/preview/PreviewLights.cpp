@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "R1/Elementary.h"
-#include "source/draw/preview/Floats.h"
+#include "source/draw/Drawing.h"
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/TriangleLamp.h"
 

@@ -1,6 +1,6 @@
 #include "source/draw/preview/PreviewView.h"
 
-#include "source/draw/preview/Floats.h"
+#include "source/draw/Drawing.h"
 
 namespace ray {
 

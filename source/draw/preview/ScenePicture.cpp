@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "R1/Elementary.h"
-#include "source/draw/preview/Floats.h"
+#include "source/draw/Drawing.h"
 #include "source/draw/preview/SimplifiedMesh.h"
 #include "source/integrate/shading/Bsdf.h"
 
@@ -430,6 +430,11 @@ class Builder {
 };
 
 }  // namespace
+
+bool ShowsBackground(RenderMode mode) {
+  return !ShowsDepth(mode) && mode != RenderMode::normal && mode != RenderMode::normal_color &&
+         mode != RenderMode::uv && mode != RenderMode::uv_color;
+}
 
 bool IsPreviewed(RenderMode mode) {
   switch (mode) {

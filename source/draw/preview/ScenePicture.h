@@ -35,6 +35,8 @@ struct ModeLook {
 
 /// Whether the preview shows the mode, and not light instead of it.
 bool IsPreviewed(RenderMode mode);
+/// Whether a mode shows the background where there is no surface.
+bool ShowsBackground(RenderMode mode);
 /// Whether the mode shows how far away surfaces are.
 inline bool ShowsDepth(RenderMode mode) { return mode == RenderMode::zbuffer || mode == RenderMode::depth; }
 

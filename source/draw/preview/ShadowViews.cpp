@@ -8,7 +8,7 @@
 
 #include "R1/Elementary.h"
 #include "R3/Warp.h"
-#include "source/draw/preview/Floats.h"
+#include "source/draw/Drawing.h"
 
 namespace ray {
 namespace {

@@ -30,6 +30,14 @@ std::optional<TracedQuad::Meeting> PixelOnQuad(const ViewerState& viewer, const 
   return meeting;
 }
 
+/// The plane of the cross section is another.
+void TellPlane(ViewerState& viewer) {
+  viewer.section_pane.takes_arrows = true;
+  viewer.section_pane.drawing.reset();
+  if (viewer.section.IsShown()) MakeSection(viewer);
+  viewer.notices.Tell("cross section: " + viewer.section.Describe(viewer.screen.size.height));
+}
+
 void ReportPixel(ViewerState& viewer) {
   viewer.section_pane.takes_arrows = false;
   const PixelTrace& pixel = *viewer.rays.Pixel();
@@ -141,18 +149,12 @@ void ShowSection(ViewerState& viewer, SlicePlane plane) {
 
 void NextPlane(ViewerState& viewer) {
   viewer.section.NextPlane();
-  viewer.section_pane.takes_arrows = true;
-  viewer.section_pane.drawing.reset();
-  if (viewer.section.IsShown()) MakeSection(viewer);
-  viewer.notices.Tell("cross section: " + viewer.section.Describe(viewer.screen.size.height));
+  TellPlane(viewer);
 }
 
 void MoveSection(ViewerState& viewer, int by) {
   viewer.section.Move(by, viewer.screen.size.height);
-  viewer.section_pane.takes_arrows = true;
-  viewer.section_pane.drawing.reset();
-  if (viewer.section.IsShown()) MakeSection(viewer);
-  viewer.notices.Tell("cross section: " + viewer.section.Describe(viewer.screen.size.height));
+  TellPlane(viewer);
 }
 
 int LineWidth(const ViewerState& viewer) { return std::max(1, static_cast<int>(std::lround(viewer.screen.scale))); }

@@ -40,10 +40,7 @@ void StartTrace(ViewerState& viewer) {
   viewer.traced_as = as;
   RenderSettings settings = viewer.SettingsOfView();
   settings.crop = viewer.crop;
-  if (continues)
-    viewer.pictures.ContinueTrace(viewer.scene.Shared(), settings);
-  else
-    viewer.pictures.StartTrace(viewer.scene.Shared(), settings);
+  viewer.pictures.StartTrace(viewer.scene.Shared(), settings, continues);
   viewer.pictures.HideLive();
   viewer.overlays.quad = true;
   viewer.notices.Tell(continues ? "rendering continues where it was stopped" : "rendering");

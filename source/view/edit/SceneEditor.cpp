@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -85,19 +86,7 @@ std::optional<R3::Point> OnPlane(const R3::Point& from, const R3::Vector& normal
   return ray.At(t);
 }
 
-const char* NameOf(MoveAxis axis) {
-  switch (axis) {
-    case MoveAxis::x:
-      return "x";
-    case MoveAxis::y:
-      return "y";
-    case MoveAxis::z:
-      return "z";
-    case MoveAxis::view:
-      return "the plane that faces the camera";
-  }
-  return "";
-}
+constexpr std::array axis_names{"x", "y", "z", "the plane that faces the camera"};
 
 /// The distance of a point along the viewing direction.
 std::string FocusText(const Camera& camera, const R3::Point& point) {
@@ -306,13 +295,12 @@ void SceneEditor::SetTexture(std::size_t material, const std::string& name) {
 
 void SceneEditor::SetAxis(MoveAxis axis) {
   axis_ = axis;
-  viewer_.notices.Tell(std::string("= and - move along ") + NameOf(axis_) + ", by " + ToText(Step()) +
-                       "; so does a drag with Control and Shift");
+  viewer_.notices.Tell(std::string("= and - move along ") + axis_names[static_cast<std::size_t>(axis_)] + ", by " +
+                       ToText(Step()) + "; so does a drag with Control and Shift");
 }
 
 void SceneEditor::NextAxis() {
-  constexpr int axes = 4;
-  SetAxis(static_cast<MoveAxis>((static_cast<int>(axis_) + 1) % axes));
+  SetAxis(static_cast<MoveAxis>((static_cast<std::size_t>(axis_) + 1) % axis_names.size()));
 }
 
 double SceneEditor::Step() const {
@@ -321,17 +309,9 @@ double SceneEditor::Step() const {
 }
 
 R3::Vector SceneEditor::AxisVector() const {
-  switch (axis_) {
-    case MoveAxis::x:
-      return {1, 0, 0};
-    case MoveAxis::y:
-      return {0, 1, 0};
-    case MoveAxis::z:
-      return {0, 0, 1};
-    case MoveAxis::view:
-      return viewer_.navigator.camera().right;
-  }
-  return {};
+  if (axis_ == MoveAxis::view) return viewer_.navigator.camera().right;
+  const auto along = [&](MoveAxis axis) { return axis_ == axis ? 1.0 : 0.0; };
+  return {along(MoveAxis::x), along(MoveAxis::y), along(MoveAxis::z)};
 }
 
 std::optional<SceneEditor::Target> SceneEditor::TargetOf() const {

@@ -30,14 +30,12 @@ RenderSettings ForLive(RenderSettings settings, bool is_layer, bool is_endless) 
 
 }  // namespace
 
-void TracedPictures::StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings) {
-  trace_.Start(std::move(scene), settings, RenderJob::Order::rows);
-  trace_number_ = ++jobs_;
-  has_reported_end_ = false;
-}
-
-void TracedPictures::ContinueTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings) {
-  trace_.Continue(std::move(scene), settings);
+void TracedPictures::StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings,
+                                bool continues) {
+  if (continues)
+    trace_.Continue(std::move(scene), settings);
+  else
+    trace_.Start(std::move(scene), settings, RenderJob::Order::rows);
   trace_number_ = ++jobs_;
   has_reported_end_ = false;
 }

@@ -21,9 +21,8 @@ class TracedPictures {
   enum class Comparing { no, reference, difference, false_colors, flip };
 
   // The picture of key S.
-  void StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
-  /// Continues the picture where it was stopped, for the same scene and settings; CanContinue.
-  void ContinueTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
+  /// `continues`: where the last one of the same scene and settings was stopped; CanContinue.
+  void StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, bool continues = false);
   /// Whether the picture was stopped with samples.
   bool CanContinue() const { return Trace() && Trace()->Canceled(); }
   /// Whether one was running. What it has so far stays.

@@ -30,17 +30,8 @@ constexpr double room_behind_eye = 0.1;   // of its way from the middle of the s
 constexpr double farthest_shown_eye = 5;  // radii from the middle of the scene; beyond, too little would be left of it
 
 R3::Vector NormalOf(SlicePlane plane) {
-  switch (plane) {
-    case SlicePlane::xz:
-      return {0, 1, 0};
-    case SlicePlane::yz:
-      return {1, 0, 0};
-    case SlicePlane::xy:
-      return {0, 0, 1};
-    case SlicePlane::camera_row:
-      break;
-  }
-  return {};
+  const auto is = [&](SlicePlane other) { return plane == other ? 1.0 : 0.0; };
+  return {is(SlicePlane::yz), is(SlicePlane::xz), is(SlicePlane::xy)};
 }
 
 /// The names of the axes that run to the right and upward.

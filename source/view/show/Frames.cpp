@@ -19,14 +19,19 @@ bool IsLight(RenderMode mode) {
   return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::albedo;
 }
 
+/// The rows of key S that are done.
+void ShowTrace(const TracedPictures& pictures, FrameState::Picture& picture) {
+  picture.frame = &pictures.Trace()->frame();
+  picture.number = pictures.TraceNumber();
+  picture.rows = pictures.Trace()->RowsDone();
+}
+
 /// The image of key S where it hangs in space; nothing where it does not.
 std::optional<FrameState::Picture> QuadInSpace(const ViewerState& viewer, const Exposure& exposure) {
   const auto quad = viewer.Quad();
   if (!quad) return {};
   FrameState::Picture picture;
-  picture.frame = &viewer.pictures.Trace()->frame();
-  picture.number = viewer.pictures.TraceNumber();
-  picture.rows = viewer.pictures.Trace()->RowsDone();
+  ShowTrace(viewer.pictures, picture);
   picture.exposure = exposure;
   picture.corners.emplace();
   for (std::size_t i = 0; i < quad->Corners().size(); ++i)
@@ -47,9 +52,7 @@ std::optional<FrameState::Picture> CoveringPicture(const ViewerState& viewer) {
     return picture;
   }
   if (viewer.FlatJob() && !viewer.pictures.IsLive()) {
-    picture.frame = &viewer.pictures.Trace()->frame();
-    picture.number = viewer.pictures.TraceNumber();
-    picture.rows = viewer.pictures.Trace()->RowsDone();
+    ShowTrace(viewer.pictures, picture);
     return picture;
   }
   if (!viewer.pictures.ShownLive()) return {};
@@ -107,28 +110,9 @@ ZBufferRange DepthsOfPreview(const ViewerState& viewer) {
 
 /// The background in the colors that the tracer's mode gives it.
 R2::Color BackgroundOfPreview(const ViewerState& viewer) {
-  switch (viewer.settings.render.mode) {
-    case RenderMode::depth:
-    case RenderMode::uv:
-    case RenderMode::normal_color:
-    case RenderMode::uv_color:
-    case RenderMode::zbuffer:
-      return {};
-    case RenderMode::normal:
-      return {0.5, 0.5, 0.5};
-    case RenderMode::whitted:
-    case RenderMode::path:
-    case RenderMode::heat:
-    case RenderMode::rays:
-    case RenderMode::albedo:
-    case RenderMode::id:
-    case RenderMode::flat:
-    case RenderMode::gooch:
-    case RenderMode::toon:
-    case RenderMode::hatching:
-      break;
-  }
-  return viewer.scene.Parsed().background;
+  const RenderMode mode = viewer.settings.render.mode;
+  if (mode == RenderMode::normal) return {0.5, 0.5, 0.5};
+  return ShowsBackground(mode) ? viewer.scene.Parsed().background : R2::Color{};
 }
 
 }  // namespace

@@ -3,13 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <random>
 
 #include "source/scene/CameraText.h"
-#include "source/view/camera/Bookmarks.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -206,25 +203,6 @@ TEST_F(CameraMoves, AnglesStayWithinTheirLimits) {
   EXPECT_LE(camera.xfov, 1.5);
   for (int i = 0; i < 200; ++i) camera = WithAngle(camera, 1 / 1.1);
   EXPECT_GE(camera.xfov, 0.005);
-}
-
-TEST(Bookmarks, AreKeptBesideTheScene) {
-  std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
-  const std::filesystem::path folder = mkdtemp(name.data());
-  Camera camera = Aim({1, 2, 3}, {0.1, 0.2, 0.3}, {0, 1, 0}).camera;
-  {
-    Bookmarks bookmarks(folder / "a.scn");
-    EXPECT_FALSE(bookmarks.Find(3));
-    bookmarks.Set(3, camera);
-    bookmarks.Set(4, Camera{});
-    std::ofstream(bookmarks.File()) << bookmarks.Text();
-  }
-  const Bookmarks again(folder / "a.scn");
-  ASSERT_TRUE(again.Find(3));
-  EXPECT_TRUE(Equal(*again.Find(3), camera));
-  EXPECT_FALSE(again.Find(5));
-  std::filesystem::remove_all(folder);
-  EXPECT_EQ(Bookmarks("-").File(), "") << "nothing is beside standard input";
 }
 
 }  // namespace

@@ -305,17 +305,6 @@ TEST_F(ViewerTest, AnEmptySceneCanBeLookedAt) {
   viewer_->Show();
 }
 
-TEST_F(ViewerTest, BookmarksOutliveTheProgram) {
-  const CopiedScenes folder;
-  Open(folder / "hello.scn");
-  Do("drag left 10 10 30 30\nkey Control+3");
-  const Camera kept = camera();
-  Open(folder / "hello.scn");
-  EXPECT_FALSE(IsCameraOf(kept));
-  Do("key 3");
-  EXPECT_TRUE(IsCameraOf(kept));
-}
-
 TEST_F(ViewerTest, ABookmarkThatCannotBeWrittenLastsForTheSession) {
   {
     const CopiedScenes folder;
@@ -327,6 +316,7 @@ TEST_F(ViewerTest, ABookmarkThatCannotBeWrittenLastsForTheSession) {
   const Camera kept = camera();
   Do("drag left 10 10 30 30\nkey 3");
   EXPECT_TRUE(IsCameraOf(kept));
+  EXPECT_EQ(Bookmarks("-").File(), "") << "nothing is beside standard input";
 }
 
 TEST_F(ViewerTest, NonsenseIsBorne) {

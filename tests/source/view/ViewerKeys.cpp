@@ -88,32 +88,22 @@ TEST_F(ViewerTest, EscapeClosesThingsOneByOneAndNeverQuits) {
 }
 
 // An hour of rendering is not thrown away by one slip.
-TEST_F(ViewerTest, QQuitsButAsksOnceWhileATraceRuns) {
-  Do("key Q");
-  EXPECT_TRUE(viewer_->IsClosed());
-  RenderSettings slow;
-  slow.samples = 100'000;
-  Open(project::Root() / "scenes/hello.scn", slow);
-  Do("key S\nkey Q");
-  EXPECT_FALSE(viewer_->IsClosed());
-  EXPECT_NE(viewer_->Message().find("once more quits"), std::string::npos);
-  Do("key E\nkey Q");
-  EXPECT_FALSE(viewer_->IsClosed()) << "another key is an answer too";
-  Do("key Q");
-  EXPECT_TRUE(viewer_->IsClosed());
-}
-
-TEST_F(ViewerTest, ClosingTheWindowAsksOnceWhileATraceRuns) {
-  Do("close");
-  EXPECT_TRUE(viewer_->IsClosed());
-  RenderSettings slow;
-  slow.samples = 100'000;
-  Open(project::Root() / "scenes/hello.scn", slow);
-  Do("key S\nclose");
-  EXPECT_FALSE(viewer_->IsClosed());
-  EXPECT_NE(viewer_->Message().find("once more quits"), std::string::npos) << viewer_->Message();
-  Do("close");
-  EXPECT_TRUE(viewer_->IsClosed());
+TEST_F(ViewerTest, QAndTheWindowsEndAskOnceWhileATraceRuns) {
+  for (const std::string quit : {"key Q", "close"}) {
+    Open(project::Root() / "scenes/hello.scn");
+    Do(quit);
+    EXPECT_TRUE(viewer_->IsClosed()) << quit;
+    RenderSettings slow;
+    slow.samples = 100'000;
+    Open(project::Root() / "scenes/hello.scn", slow);
+    Do("key S\n" + quit);
+    EXPECT_FALSE(viewer_->IsClosed()) << quit;
+    EXPECT_NE(viewer_->Message().find("once more quits"), std::string::npos) << viewer_->Message();
+    Do("key E\n" + quit);
+    EXPECT_FALSE(viewer_->IsClosed()) << "another key is an answer too";
+    Do(quit);
+    EXPECT_TRUE(viewer_->IsClosed()) << quit;
+  }
 }
 
 TEST_F(ViewerTest, EscapeWithNothingRunningSaysThatThereIsNothing) {
