@@ -1,46 +1,34 @@
 #include "source/draw/Frame.h"
 
-#include <iterator>
-
-#include "R2/Image.h"
-
 namespace ray {
-namespace {
 
-float Stored(double x) { return static_cast<float>(R2::Storable(x)); }
+void Frame::Put(const R2::Image& rows, int first) {
+  const std::lock_guard lock(mutex_);
+  for (int y = 0; y < rows.Height(); ++y) {
+    for (int x = 0; x < rows.Width(); ++x) image_.Set(x, first + y, rows.At(x, y));
+    ++versions_[static_cast<std::size_t>(first + y)];
+  }
+}
 
-}  // namespace
-
-Frame::Frame(int width, int height)
-    : width_(width),
-      height_(height),
-      channels_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
-      versions_(static_cast<std::size_t>(height)) {}
-
-void Frame::Set(int x, int y, const R2::Color& color) {
-  std::atomic<float>* channels = &channels_[Index(x, y)];
-  channels[0].store(Stored(color.r), std::memory_order_relaxed);
-  channels[1].store(Stored(color.g), std::memory_order_relaxed);
-  channels[2].store(Stored(color.b), std::memory_order_relaxed);
+R2::Image Frame::Image() const {
+  const std::lock_guard lock(mutex_);
+  return image_;
 }
 
 R2::Color Frame::At(int x, int y) const {
-  const std::atomic<float>* channels = &channels_[Index(x, y)];
-  return {channels[0].load(std::memory_order_relaxed), channels[1].load(std::memory_order_relaxed),
-          channels[2].load(std::memory_order_relaxed)};
+  const std::lock_guard lock(mutex_);
+  return image_.At(x, y);
 }
 
-void Frame::Touch(int row) { versions_[static_cast<std::size_t>(row)].fetch_add(1, std::memory_order_release); }
-
 std::uint32_t Frame::Version(int row) const {
-  return versions_[static_cast<std::size_t>(row)].load(std::memory_order_acquire);
+  const std::lock_guard lock(mutex_);
+  return versions_[static_cast<std::size_t>(row)];
 }
 
 void Frame::Copy(int first, int count, std::vector<float>& rgb) const {
-  const auto begin = channels_.begin() + static_cast<std::ptrdiff_t>(Index(0, first));
-  const auto end = begin + 3 * static_cast<std::ptrdiff_t>(width_) * count;
-  std::transform(begin, end, std::back_inserter(rgb),
-                 [](const std::atomic<float>& channel) { return channel.load(std::memory_order_relaxed); });
+  const std::lock_guard lock(mutex_);
+  const std::ptrdiff_t row = 3 * std::ptrdiff_t{Width()};
+  rgb.insert(rgb.end(), image_.Channels().begin() + first * row, image_.Channels().begin() + (first + count) * row);
 }
 
 }  // namespace ray

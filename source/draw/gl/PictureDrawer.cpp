@@ -111,13 +111,6 @@ void PictureDrawer::Update(GpuPicture& picture, int first, int count, std::span<
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, picture.width, count, GL_RGB, GL_FLOAT, rgb.data());
 }
 
-std::vector<float> PictureDrawer::ReadBack(const GpuPicture& picture) const {
-  std::vector<float> rgb(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
-  glBindTexture(GL_TEXTURE_2D, picture.texture.Name());
-  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_FLOAT, rgb.data());
-  return rgb;
-}
-
 void PictureDrawer::Draw(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
                          const ClipMatrix& clip_from_drawing, const PictureLook& look) const {
   program_.Use();

@@ -29,8 +29,6 @@ class PictureDrawer {
   std::shared_ptr<GpuPicture> Make(int width, int height) const;
   /// Rows first .. first + count - 1 from the bottom; `rgb` holds those rows.
   void Update(GpuPicture& picture, int first, int count, std::span<const float> rgb) const;
-  /// What it holds, for tests: rows from the bottom, r g b.
-  std::vector<float> ReadBack(const GpuPicture& picture) const;
 
   /// On a quad in space: its lower left, lower right, upper right and upper left corner.
   void Draw(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,

@@ -37,14 +37,6 @@ std::optional<std::size_t> NodeAt(const World& world, const Location& location) 
   return static_cast<std::size_t>(found - nodes.begin());
 }
 
-std::optional<std::size_t> ParentOf(const World& world, std::size_t node) {
-  const auto& nodes = world.Nodes();
-  const auto found = std::ranges::find_if(
-      nodes, [&](const FlatNode& flat) { return flat.first_child <= node && node - flat.first_child < flat.children; });
-  if (found == nodes.end()) return {};
-  return static_cast<std::size_t>(found - nodes.begin());
-}
-
 bool HasPoints(const ScnPlaces& places, std::uint32_t statement) {
   return std::ranges::any_of(FieldsOf(places, statement),
                              [](const ScnField& field) { return field.kind == ScnField::Kind::point; });
@@ -329,12 +321,13 @@ std::optional<SceneEditor::Target> SceneEditor::TargetOf() const {
   Target target{*statement, FrameAround(world, node), {}};
   target.box = world.InWorld(target.frame, world.Nodes()[node].node->bounds);
   // What says no place of its own is moved with the group that is around it alone.
-  const auto parent = ParentOf(world, node);
-  if (HasPoints(places, *statement) || !parent || world.Nodes()[*parent].children != 1) return target;
-  const auto group = StatementAt(places, world.Nodes()[*parent].node->location);
+  const std::size_t parent = ParentsOf(world)[node];
+  if (HasPoints(places, *statement) || parent == world.Nodes().size() || world.Nodes()[parent].children != 1)
+    return target;
+  const auto group = StatementAt(places, world.Nodes()[parent].node->location);
   if (!group || CommandOf(places, *group) != "begin") return target;
   target.statement = *group;
-  target.frame = FrameAround(world, *parent);
+  target.frame = FrameAround(world, parent);
   return target;
 }
 

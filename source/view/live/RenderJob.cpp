@@ -7,7 +7,6 @@
 #endif
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -80,13 +79,6 @@ class FinishedRows {
 };
 
 }  // namespace
-
-RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
-                     int first_places)
-    : RenderJob(std::move(scene), settings, order, first_places, {}) {}
-
-RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Stopped before)
-    : RenderJob(std::move(scene), settings, Order::rows, 1, std::move(before)) {}
 
 RenderJob::RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
                      int first_places, std::optional<Stopped> before)
@@ -165,7 +157,8 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
     while (end == PassRunner::End::paused) {
       end = look.Look(places, Clock::now() + time_between_images);
       if (end == PassRunner::End::stopped) return {};
-      if (end == PassRunner::End::paused || places < last || !is_kept) Show(look.Image(), 0);  // else Render shows it
+      if (end == PassRunner::End::paused || places < last || !is_kept)
+        frame_.Put(look.Image(), 0);  // else Render shows it
     }
     pixels_per_second_ = look.Pixels(places) / std::max(1e-9, Seconds());
     if (is_kept) share_ = places / (settings_.samples * double{BlockOrder::places});
@@ -188,7 +181,7 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
   if (is_kept) {
     monitor.resume = [&](const Film&) { return look.TakeState(); };
     monitor.pass_done = [&](const R2::Image& image, std::uint32_t per_stream) {
-      Show(image, 0);
+      frame_.Put(image, 0);
       samples_.store(streams * static_cast<int>(per_stream), std::memory_order_release);
     };
   }
@@ -197,7 +190,7 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
   // Passes were made to be seen; Render has one unless it was asked for more.
   if (!settings_.wants_passes && !settings_.budget.IsOpen())
     result.passes.erase(result.passes.begin(), result.passes.end() - 1);
-  Show(result.image, 0);
+  frame_.Put(result.image, 0);
   places_.store(BlockOrder::places, std::memory_order_release);
   samples_.store(static_cast<int>(std::lround(result.samples.mean)), std::memory_order_release);
   return result;
@@ -229,34 +222,21 @@ std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) 
     monitor.blocks_done = [&](const Film& film, std::span<const int> blocks) {
       const PixelRectangle strip = rows.Add(blocks);
       if (strip.Area() == 0) return;
-      Show(ImageOf(film.Cut(strip), settings), strip.y0 - film.Region().y0);
+      frame_.Put(ImageOf(film.Cut(strip), settings), strip.y0 - film.Region().y0);
       rows_done_.store(strip.y1 - film.Region().y0, std::memory_order_release);
     };
   RenderResult result = RenderAll(integrator, settings, monitor);
   if (!result.IsComplete()) return {};
-  Show(result.image, 0);
+  frame_.Put(result.image, 0);
   rows_done_.store(result.image.Height(), std::memory_order_release);
   samples_.store(static_cast<int>(std::lround(result.samples.mean)), std::memory_order_release);
   return result;
 }
 
-void RenderJob::Show(const R2::Image& image, int first) {
-  for (int y = 0; y < image.Height(); ++y) {
-    for (int x = 0; x < image.Width(); ++x) frame_.Set(x, first + y, image.At(x, y));
-    frame_.Touch(first + y);
-  }
-}
-
 RenderJob& JobQueue::Start(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings,
-                           RenderJob::Order order, int first_places) {
+                           RenderJob::Order order, int first_places, std::optional<RenderJob::Stopped> before) {
   Abandon();
-  current_ = std::make_unique<RenderJob>(std::move(scene), settings, order, first_places);
-  return *current_;
-}
-
-RenderJob& JobQueue::Continue(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings) {
-  assert(current_ && current_->Canceled());
-  current_ = std::make_unique<RenderJob>(std::move(scene), settings, *current_->Canceled());
+  current_ = std::make_unique<RenderJob>(std::move(scene), settings, order, first_places, std::move(before));
   return *current_;
 }
 

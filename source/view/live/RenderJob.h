@@ -35,11 +35,10 @@ class RenderJob {
   /// left to whoever shows the picture, until each pixel has its first sample in order coarse_first. Time counts from
   /// the start of the job, and ends no earlier than with that sample. Limits of budgets are ignored in order rows, and
   /// replays. `first_places`: pixels of each block in the first look.
-  RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order,
-            int first_places = 1);
-  /// Continues, in order rows, a job of the same scene and settings; time counts on. The result is that of a job that
-  /// was never canceled.
-  RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Stopped before);
+  /// `before`, in order rows: continues a job of the same scene and settings; time counts on. The result is that of a
+  /// job that was never canceled.
+  RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order, int first_places = 1,
+            std::optional<Stopped> before = {});
   /// Cancels, and waits for the pixels that were started.
   ~RenderJob();
   RenderJob(const RenderJob&) = delete;
@@ -79,15 +78,11 @@ class RenderJob {
   double PixelsPerSecond() const { return pixels_per_second_.load(std::memory_order_relaxed); }
 
  private:
-  RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order, int first_places,
-            std::optional<Stopped> before);
   void Run();
   std::optional<RenderResult> RenderCoarseFirst(const Integrator& integrator);
   RenderResult RenderAll(const Integrator& integrator, const RenderSettings& settings,
                          const RenderMonitor& monitor) const;
   std::optional<RenderResult> RenderRows(const Integrator& integrator);
-  /// A whole picture, or rows of it from `first` up.
-  void Show(const R2::Image& image, int first);
 
   using Clock = std::chrono::steady_clock;
   std::optional<Stopped> before_;
@@ -114,11 +109,9 @@ class RenderJob {
 /// waits for them. For one thread.
 class JobQueue {
  public:
-  /// Abandons the current job, if there is one, for a new one.
+  /// Abandons the current job, if there is one, for a new one, which may continue it.
   RenderJob& Start(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, RenderJob::Order order,
-                   int first_places = 1);
-  /// Continues the current job, which was canceled, by a new one of the same settings.
-  RenderJob& Continue(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings);
+                   int first_places = 1, std::optional<RenderJob::Stopped> before = {});
   /// Cancels the current job; then there is none.
   void Abandon();
   /// The job before the current one, where it was abandoned with something to be seen; null where there is none. It

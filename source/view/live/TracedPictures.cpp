@@ -32,10 +32,7 @@ RenderSettings ForLive(RenderSettings settings, bool is_layer, bool is_endless) 
 
 void TracedPictures::StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings,
                                 bool continues) {
-  if (continues)
-    trace_.Continue(std::move(scene), settings);
-  else
-    trace_.Start(std::move(scene), settings, RenderJob::Order::rows);
+  trace_.Start(std::move(scene), settings, RenderJob::Order::rows, 1, continues ? Trace()->Canceled() : std::nullopt);
   trace_number_ = ++jobs_;
   has_reported_end_ = false;
 }
@@ -111,14 +108,9 @@ const RenderJob* TracedPictures::ShownLive() const {
 
 bool TracedPictures::IsBusy() const { return IsTracing() || (is_live_ && is_due_) || (Live() && !Live()->HasEnded()); }
 
-std::shared_ptr<const R2::Image> TracedPictures::ImageOf(const Frame& frame) {
-  auto image = std::make_shared<R2::Image>(frame.Width(), frame.Height());
-  for (int y = 0; y < frame.Height(); ++y)
-    for (int x = 0; x < frame.Width(); ++x) image->Set(x, y, frame.At(x, y));
-  return image;
+std::shared_ptr<const R2::Image> TracedPictures::Current() const {
+  return Job() ? std::make_shared<const R2::Image>(Job()->frame().Image()) : nullptr;
 }
-
-std::shared_ptr<const R2::Image> TracedPictures::Current() const { return Job() ? ImageOf(Job()->frame()) : nullptr; }
 
 void TracedPictures::SetReference(ReferenceImage reference) {
   reference_ = std::move(reference);

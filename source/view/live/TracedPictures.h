@@ -92,9 +92,6 @@ class TracedPictures {
   /// Whether Compared is a difference of values that are encoded already.
   bool ShowsEncodedDifference() const { return comparing_ == Comparing::difference && !reference_.IsLight(); }
 
-  /// The pixels of a frame as they are now.
-  static std::shared_ptr<const R2::Image> ImageOf(const Frame& frame);
-
  private:
   std::string EncodedComparison(const R2::Image& current) const;
   /// False colors of the images as they are now. Made once for all that looks at them.

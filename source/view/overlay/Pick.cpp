@@ -1,8 +1,10 @@
 #include "source/view/overlay/Pick.h"
 
+#include <algorithm>
 #include <array>
 
 #include "source/text/NumberText.h"
+#include "source/view/overlay/SceneLines.h"
 
 namespace ray {
 namespace {
@@ -18,18 +20,15 @@ std::string LocationOf(const Node& node, const Scene& scene) {
   return scene.files[node.location.file] + ":" + std::to_string(node.location.line);
 }
 
-/// The groups above a node, the nearest first. The flat nodes have their parents before them.
+/// The groups above a node, the nearest first.
 std::vector<const Node*> GroupsAbove(const World& world, std::uint32_t instance) {
   const auto& nodes = world.Nodes();
-  std::vector<std::size_t> parent_of(nodes.size(), nodes.size());
-  std::size_t own = nodes.size();
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (std::uint32_t c = 0; c < nodes[i].children; ++c) parent_of[nodes[i].first_child + c] = i;
-    if (nodes[i].instance == static_cast<std::int32_t>(instance)) own = i;
-  }
+  const auto own = std::ranges::find(nodes, static_cast<std::int32_t>(instance), &FlatNode::instance);
   std::vector<const Node*> above;
-  if (own == nodes.size()) return above;
-  for (std::size_t i = parent_of[own]; i != nodes.size(); i = parent_of[i]) above.push_back(nodes[i].node);
+  if (own == nodes.end()) return above;
+  const std::vector<std::size_t> parents = ParentsOf(world);
+  for (auto i = parents[static_cast<std::size_t>(own - nodes.begin())]; i != nodes.size(); i = parents[i])
+    above.push_back(nodes[i].node);
   return above;
 }
 
@@ -48,7 +47,8 @@ Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderS
                int row) {
   Pick pick{PixelTracer(world, accelerator, settings).Trace(column, row, 1), {}, 0, {}};
   const RecordedRay& ray = pick.trace.rays.front();
-  pick.text.push_back("pixel " + std::to_string(column) + " " + std::to_string(row) + ": " + Shortly(pick.trace.Mean()));
+  pick.text.push_back("pixel " + std::to_string(column) + " " + std::to_string(row) + ": " +
+                      Shortly(pick.trace.Mean()));
   if (!ray.hit) {
     pick.text.emplace_back("hits nothing");
     return pick;
@@ -68,7 +68,8 @@ Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderS
   pick.text.push_back("at " + Shortly(at.position.x, at.position.y, at.position.z));
   pick.text.push_back("normal " + Shortly(at.normal.x, at.normal.y, at.normal.z) + ", uv " + Shortly(at.uv.x) + " " +
                       Shortly(at.uv.y));
-  pick.text.push_back("ka " + Shortly(m.ka) + ", kd " + Shortly(m.kd) + ", ks " + Shortly(m.ks) + ", kt " + Shortly(m.kt));
+  pick.text.push_back("ka " + Shortly(m.ka) + ", kd " + Shortly(m.kd) + ", ks " + Shortly(m.ks) + ", kt " +
+                      Shortly(m.kt));
   pick.text.push_back("emission " + Shortly(m.emission) + ", n " + Shortly(m.n) + ", ir " + Shortly(m.ir) +
                       (m.texture ? ", texture" : "") + (m.bump ? ", bump" : "") + (m.normal_map ? ", normal map" : "") +
                       (m.specular_map ? ", specular map" : "") + (m.gloss > 0 ? ", gloss " + Shortly(m.gloss) : ""));

@@ -145,10 +145,17 @@ BoxLines NodeBoxLines(const World& world, const DrawingSpace& space, int level) 
   return boxes;
 }
 
+std::vector<std::size_t> ParentsOf(const World& world) {
+  const auto& nodes = world.Nodes();
+  std::vector<std::size_t> parents(nodes.size(), nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::uint32_t c = 0; c < nodes[i].children; ++c) parents[nodes[i].first_child + c] = i;
+  return parents;
+}
+
 std::uint32_t FrameAround(const World& world, std::size_t node) {
-  const auto is_parent = [&](const FlatNode& n) { return n.first_child <= node && node - n.first_child < n.children; };
-  const auto parent = std::ranges::find_if(world.Nodes(), is_parent);
-  return parent == world.Nodes().end() ? 0 : parent->frame;
+  const std::size_t parent = ParentsOf(world)[node];
+  return parent < world.Nodes().size() ? world.Nodes()[parent].frame : 0;
 }
 
 Lines NodeBoxOf(const World& world, const DrawingSpace& space, std::size_t node, const Rgba& color) {

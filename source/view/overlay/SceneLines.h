@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"
@@ -25,6 +27,9 @@ inline constexpr int all_levels = -1;
 /// node's parent: slanted ones where a group above turns. Boxes of what moves are around all of its own way, as the
 /// tracer uses them, and where their parent is when the shutter opens.
 BoxLines NodeBoxLines(const World& world, const DrawingSpace& space, int level);
+
+/// For each node the one that it is in, as an index into World::Nodes; their number for the root.
+std::vector<std::size_t> ParentsOf(const World& world);
 
 /// The frame that the bounds of a node are in: its parent's. `node`: an index into World::Nodes.
 std::uint32_t FrameAround(const World& world, std::size_t node);

@@ -42,15 +42,10 @@ void DrawBar(const ColorAt& color_at, const std::string& low, const std::string&
 }
 
 /// The nearest and the farthest depth of what was hit; nothing if nothing was.
-std::optional<std::pair<double, double>> DepthsOf(const Frame& frame) {
+std::optional<std::pair<double, double>> DepthsOf(const R2::Image& image) {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-  std::vector<float> row;
-  for (int y = 0; y < frame.Height(); ++y) {
-    row.clear();
-    frame.Copy(y, 1, row);
-    for (const float depth : row)
-      if (depth > 0) nearest = std::min<double>(nearest, depth), farthest = std::max<double>(farthest, depth);
-  }
+  for (const float depth : image.Channels())
+    if (depth > 0) nearest = std::min<double>(nearest, depth), farthest = std::max<double>(farthest, depth);
   if (!(farthest > 0)) return {};
   return std::pair{nearest, farthest};
 }
@@ -88,7 +83,7 @@ class LayersPanel : public Panel {
       constexpr double decades = 4;  // of the scale of HeatColor
       DrawBar([](double share) { return HeatColor(R1::Pow(10, decades * share)); }, "1", "100", "10000");
     } else if (mode == RenderMode::depth) {
-      const auto depths = DepthsOf(frame);
+      const auto depths = DepthsOf(frame.Image());
       if (!depths) return;
       R2::Image ramp(2, 1);  // as the image is shown: by its own nearest and farthest
       ramp.Set(0, 0, {depths->first, depths->first, depths->first});

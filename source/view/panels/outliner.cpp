@@ -57,7 +57,7 @@ class Outliner : public Panel {
     if (std::exchange(scene_number_, frame.viewer.scene.Number()) != frame.viewer.scene.Number()) {
       nodes_.Forget();
       nodes_.SetOpen(0, true);
-      ReadParents(scene.world);
+      parents_ = ParentsOf(scene.world);
     }
     const auto chosen = frame.viewer.selection.node;
     if (chosen && chosen != last_chosen_)
@@ -69,12 +69,6 @@ class Outliner : public Panel {
   }
 
  private:
-  void ReadParents(const World& world) {
-    parents_.assign(world.Nodes().size(), world.Nodes().size());
-    for (std::size_t i = 0; i < parents_.size(); ++i)
-      for (std::uint32_t c = 0; c < world.Nodes()[i].children; ++c) parents_[world.Nodes()[i].first_child + c] = i;
-  }
-
   void DrawNodes(PanelFrame& frame, const World& world) {
     const auto children_of = [&](std::size_t node) {
       std::vector<std::size_t> children;
@@ -94,7 +88,7 @@ class Outliner : public Panel {
   static void DrawNode(PanelFrame& frame, const FlatNode& flat) {
     ImGui::Separator();
     const Node& node = *flat.node;
-    const Scene& scene = frame.viewer.scene.Loaded().parsed.scene;
+    const Scene& scene = frame.viewer.scene.Parsed();
     if (node.location.line > 0)
       frame.Fact("from", scene.files[node.location.file] + ":" + std::to_string(node.location.line));
     if (node.shape) {
@@ -109,8 +103,7 @@ class Outliner : public Panel {
       frame.Fact("high", Brief(node.bounds.high));
     }
     if (flat.instance >= 0)
-      DrawMaterial(frame,
-                   *frame.viewer.scene.Loaded().world.Instances()[static_cast<std::size_t>(flat.instance)].material);
+      DrawMaterial(frame, *frame.viewer.scene.world().Instances()[static_cast<std::size_t>(flat.instance)].material);
     if (frame.Button("frame")) frame.Ask([](ViewerState& v) { FrameChosenNode(v); });
     ImGui::SameLine();
     if (frame.Button("deselect")) frame.Ask([](ViewerState& v) { ChooseNode(v, {}); });
@@ -130,7 +123,7 @@ class Outliner : public Panel {
 
   int scene_number_ = 0;  // as Viewer counts, from 1
   Tree nodes_;
-  std::vector<std::size_t> parents_;  // of nodes; their number for the root
+  std::vector<std::size_t> parents_;
   std::optional<std::size_t> last_chosen_;
 };
 

@@ -135,7 +135,7 @@ class PixelPanel : public Panel {
   }
 
   void DrawTree(PanelFrame& frame, const PixelTrace& pixel) {
-    const World& world = frame.viewer.scene.Loaded().world;
+    const World& world = frame.viewer.scene.world();
     const auto text_of = [&](std::size_t i) {
       const RecordedRay& ray = pixel.rays[i];
       const std::string hit = HitBy(ray, world);
@@ -158,7 +158,7 @@ class PixelPanel : public Panel {
     frame.Fact("along", Brief(Unit(ray.ray.direction)) + (ray.is_inside ? ", inside" : ""));
     if (!ray.towards.empty()) frame.Fact("toward", Brief(ray.towards));
     frame.Fact("length", LengthOf(ray));
-    const std::string hit = HitBy(ray, frame.viewer.scene.Loaded().world);
+    const std::string hit = HitBy(ray, frame.viewer.scene.world());
     if (!hit.empty()) frame.Fact(ray.kind == RayKind::shadow ? "blocked" : "hits", hit);
     if (ray.at) frame.Fact("normal", Brief(AsVector(ray.at->shading_normal)));
     frame.Fact("throughput", Brief(ray.throughput));

@@ -35,7 +35,7 @@ void DrawRays(PanelFrame& frame, const RayCounts& rays) {
 class StatisticsPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const World& world = frame.viewer.scene.Loaded().world;
+    const World& world = frame.viewer.scene.world();
     frame.Fact("scene", Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive") + ", " +
                             Counted(world.Instances().size(), "instance") + ", " +
                             Counted(world.Nodes().size(), "node"));

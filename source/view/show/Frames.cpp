@@ -63,7 +63,7 @@ std::optional<FrameState::Picture> CoveringPicture(const ViewerState& viewer) {
     picture.number = viewer.pictures.ShownLiveNumber();
   } else {
     // Colors that stand for something else than light: as image files show them.
-    picture.image = std::make_shared<const R2::Image>(LayerAsShown(mode, *TracedPictures::ImageOf(job.frame())));
+    picture.image = std::make_shared<const R2::Image>(LayerAsShown(mode, job.frame().Image()));
     picture.exposure = {};
   }
   return picture;

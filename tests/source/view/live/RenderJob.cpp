@@ -278,7 +278,7 @@ TEST(RenderJob, ContinuesWhatWasStoppedToTheSameBitsAndRays) {
         ASSERT_TRUE(Ends(first));
         ASSERT_EQ(first.Result(), nullptr);
         if (!first.Canceled()) continue;
-        const RenderJob second(gated.scene, settings, *first.Canceled());
+        const RenderJob second(gated.scene, settings, Order::rows, 1, first.Canceled());
         ASSERT_TRUE(Ends(second));
         ASSERT_TRUE(second.IsComplete()) << second.Failure();
         const RenderResult whole = Render(gated.scene->world, *gated.scene->accelerator, settings);
