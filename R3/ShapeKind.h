@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -16,6 +17,17 @@ struct Argument {
   const char* name;  // "radius"
   bool may_be_negative = true;
 };
+
+/// Makes a list of arguments from their names.
+template <typename... Name>
+constexpr std::array<Argument, sizeof...(Name)> ArgumentsNamed(Name... names) {
+  return {Argument{names}...};
+}
+/// Likewise, none of them negative.
+template <typename... Name>
+constexpr std::array<Argument, sizeof...(Name)> ArgumentsFromZero(Name... names) {
+  return {Argument{names, false}...};
+}
 
 /// A number that is wrong for its place; the reader of the scene file turns it into an error that points there.
 struct ArgumentError : std::runtime_error {

@@ -10,7 +10,7 @@
 
 #include "R3/Mesh.h"
 #include "source/parse/Files.h"
-#include "source/parse/Report.h"
+#include "source/parse/SceneError.h"
 #include "source/parse/meshes/MeshFormat.h"
 
 /// Meshes to measure with: generated ones, and public scans where they lie beside the checkout. All coordinates are

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <set>
 
-#include "source/parse/ReadFile.h"
+#include "source/parse/Files.h"
 #include "source/text/Quoting.h"
 
 namespace ray {

@@ -7,7 +7,6 @@
 #include <system_error>
 #include <utility>
 
-#include "source/parse/ReadFile.h"
 #include "source/parse/Text.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Suggestion.h"

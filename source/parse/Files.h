@@ -65,4 +65,9 @@ class Files {
   mutable std::set<std::string> remarks_;
 };
 
+/// The contents of a regular file that Files found. Throws FileError, also if a link or another kind of file has taken
+/// its place since. Only this function, of ReadFile.cpp, and StandardInput read input; the page in a browser has its
+/// own version.
+std::string ReadFile(const FoundFile& file);
+
 }  // namespace ray

@@ -5,7 +5,7 @@
 
 #include "source/parse/Files.h"
 #include "source/parse/Parse.h"
-#include "source/parse/Report.h"
+#include "source/parse/SceneError.h"
 
 namespace ray {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "source/parse/Assets.h"
-#include "source/parse/Report.h"
+#include "source/parse/SceneError.h"
 
 namespace ray {
 

@@ -9,7 +9,7 @@
 
 #include "R3/Box.h"
 #include "source/parse/Text.h"
-#include "source/parse/meshes/Corners.h"
+#include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/Mtl.h"
 #include "source/text/Words.h"
 

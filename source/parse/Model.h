@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "source/parse/Assets.h"
-#include "source/parse/meshes/MeshFile.h"
+#include "source/parse/meshes/MeshFormat.h"
 #include "source/scene/Material.h"
 
 namespace ray {

@@ -1,4 +1,4 @@
-#include "source/parse/ReadFile.h"
+#include "source/parse/Files.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -23,7 +23,7 @@ std::string LineAround(const Text& text, const Token& token) {
   if (first != begin && !EndsLine(first[-1])) return {};
   const char* const furthest = first + std::min<std::ptrdiff_t>(end - first, max_line_shown);
   std::string line(first, std::find_if(first, furthest, EndsLine));
-  if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+  if (line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
   return line;
 }
 
@@ -86,6 +86,41 @@ SceneError ErrorIn(const std::string& file, std::string message, std::string hin
   error.message = std::move(message);
   error.hint = std::move(hint);
   return error;
+}
+
+std::optional<SceneError> FindNul(const Text& text) {
+  const std::size_t nul = text.bytes.find('\0');
+  if (nul == std::string::npos) return {};
+  return ErrorAt(text, TextPlaces(text).At({nul, 1}), "NUL byte: this is not a text file", "save UTF-16 as UTF-8");
+}
+
+TextPlaces::TextPlaces(const Text& text) : text_(text) {
+  Place place;
+  for (std::size_t i = 0; i < text.bytes.size(); ++i) {
+    if (i % stride == 0) noted_.push_back(place);
+    Step(place, i);
+  }
+  if (text.bytes.size() % stride == 0) noted_.push_back(place);
+}
+
+// A line ends with LF, CR LF or CR. A byte order mark takes no column, and neither do bytes that continue a character.
+void TextPlaces::Step(Place& place, std::size_t offset) const {
+  const std::string& bytes = text_.bytes;
+  const char c = bytes[offset];
+  const bool is_cr_of_crlf = c == '\r' && offset + 1 < bytes.size() && bytes[offset + 1] == '\n';
+  if (EndsLine(c) && !is_cr_of_crlf) {
+    ++place.line;
+    place.column = 1;
+  } else if (!is_cr_of_crlf && !(offset == 0 && bytes.starts_with(byte_order_mark))) {
+    place.column += CountCharacters({&bytes[offset], 1});
+  }
+}
+
+Token TextPlaces::At(const Extent& extent) const {
+  const std::size_t offset = std::min(extent.offset, text_.bytes.size());
+  Place place = noted_[offset / stride];
+  for (std::size_t i = offset - offset % stride; i < offset; ++i) Step(place, i);
+  return {std::string_view(text_.bytes).substr(offset, extent.length), place.line, place.column, false};
 }
 
 }  // namespace ray

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "source/parse/SceneError.h"
 #include "source/scene/Location.h"
@@ -38,5 +40,35 @@ SceneError ErrorAt(const Text& text, const Token& token, std::string message, st
 std::string HexColorHint(const Text& text, const Token& token);
 /// A mistake of the file as a whole.
 SceneError ErrorIn(const std::string& file, std::string message, std::string hint = {});
+/// Returns an error where the first NUL byte stands, if there is one: in no text.
+std::optional<SceneError> FindNul(const Text& text);
+
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Where something is written: bytes of the document's text.
+struct Extent {
+  std::size_t offset = 0, length = 1;
+};
+
+/// Lines and columns of a text by offset. Some are noted ahead, so that asking costs a walk over a few thousand bytes
+/// at most, even in a file of a single line.
+class TextPlaces {
+ public:
+  /// `text` must outlive this and the tokens.
+  explicit TextPlaces(const Text& text);
+
+  Token At(const Extent& extent) const;
+
+ private:
+  struct Place {
+    std::size_t line = 1, column = 1;
+  };
+  static constexpr std::size_t stride = 4096;  // bytes from one noted place to the next
+
+  void Step(Place& place, std::size_t offset) const;
+
+  const Text& text_;
+  std::vector<Place> noted_;
+};
 
 }  // namespace ray

@@ -11,8 +11,6 @@
 namespace ray {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 std::string_view WithoutComment(std::string_view word) {
   const std::size_t hash = word.find('#');
   if (hash == std::string_view::npos || ParseNumber(word.substr(0, hash)).problem || SaysNanOrInfinity(word))
@@ -154,21 +152,6 @@ bool Tokenizer::IsJoint(const char* backslash) const {
 
 void Tokenizer::SkipToLineEnd() {
   while (next_ != end_ && !EndsLine(*next_)) ++next_;
-}
-
-std::optional<SceneError> FindNul(const Text& text) {
-  const std::size_t nul = text.bytes.find('\0');
-  if (nul == std::string::npos) return {};
-  Token token{std::string_view(text.bytes).substr(nul, 1), 1, 1, false};
-  const std::string_view before = std::string_view(text.bytes).substr(0, nul);
-  std::size_t line_start = before.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
-  for (std::size_t i = 0; i < nul; ++i) {
-    if (!EndsLine(before[i])) continue;
-    line_start = i + 1;
-    if (before[i] == '\n' || i + 1 == nul || before[i + 1] != '\n') ++token.line;
-  }
-  token.column = 1 + CountCharacters(before.substr(line_start));
-  return ErrorAt(text, token, "NUL byte: this is not a text file", "save UTF-16 as UTF-8");
 }
 
 }  // namespace ray

@@ -68,7 +68,4 @@ class Tokenizer {
   std::vector<SceneError> mistakes_;
 };
 
-/// An error where the first NUL byte stands; nothing when there is none, as in any text.
-std::optional<SceneError> FindNul(const Text& text);
-
 }  // namespace ray

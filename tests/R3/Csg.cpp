@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "R3/Implicit.h"
+#include "R3/Placement.h"
 #include "R3/ShapeKind.h"
 #include "source/parse/CsgOf.h"
-#include "source/parse/courses/objects/Placement.h"
 #include "tests/Accelerators.h"
 #include "tests/Draw.h"
 #include "tests/ExactScene.h"
@@ -19,8 +19,8 @@ namespace {
 
 using ray::CsgOf;
 using ray::Node;
-using ray::RotationAbout;
-using ray::Translation;
+using R3::RotationAbout;
+using R3::Translation;
 using enum R3::CsgOperation;
 
 Node Solid(const std::string& kind, const std::vector<double>& arguments) {
@@ -470,8 +470,8 @@ TEST(Csg, ManySolidsAreHitWhereSetsOfPointsSay) {
 
 TEST(Csg, HandlesHundredsOfCrossingsOfOneSolid) {
   // Plates one tenth apart, two hundred crossings along x, of which a ball keeps those within.
-  const auto plates = std::make_shared<R3::Implicit>(R3::Expression("sin(20 pi x) + 0.5"),
-                                                     R3::Box{{-5.01, -1, -1}, {5.01, 1, 1}});
+  const auto plates =
+      std::make_shared<R3::Implicit>(R3::Expression("sin(20 pi x) + 0.5"), R3::Box{{-5.01, -1, -1}, {5.01, 1, 1}});
   const R3::Ray ray{{-9, 0.1, 0.2}, {1, 0, 0}};
   const std::vector<double> all = AllHits(*plates, ray);
   ASSERT_GT(all.size(), 190u);

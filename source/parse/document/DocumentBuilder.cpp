@@ -136,7 +136,9 @@ void DocumentBuilder::Fail(const Extent& extent, const std::string& message, con
   throw ErrorAt(text_, places_.At(extent), message, hint);
 }
 
-std::size_t ByteOrderMark(const Text& text) { return text.bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
+std::size_t ByteOrderMark(const Text& text) {
+  return text.bytes.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+}
 
 void CheckCharacters(const Text& text, const TextPlaces& places) {
   if (text.bytes.starts_with("\xFE\xFF") || text.bytes.starts_with("\xFF\xFE"))

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "source/parse/Report.h"
+#include "source/parse/SceneError.h"
 #include "source/parse/document/Document.h"
 
 namespace ray {

@@ -6,7 +6,7 @@
 
 #include "R2/Color.h"
 #include "R2/Vector.h"
-#include "source/parse/Report.h"
+#include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
 
 namespace ray {

@@ -7,7 +7,6 @@
 
 #include "source/parse/meshes/Bytes.h"
 #include "source/parse/meshes/MeshWords.h"
-#include "source/parse/meshes/Tally.h"
 
 namespace ray {
 

@@ -8,7 +8,7 @@
 
 #include "R1/Elementary.h"
 #include "R3/Vector.h"
-#include "source/parse/meshes/Corners.h"
+#include "source/parse/meshes/Faces.h"
 
 namespace ray {
 namespace {

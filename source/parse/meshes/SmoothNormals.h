@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "source/parse/meshes/MeshFile.h"
+#include "source/parse/meshes/MeshFormat.h"
 
 namespace ray {
 

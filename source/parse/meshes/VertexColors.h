@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "source/parse/meshes/Tally.h"
+#include "source/parse/meshes/MeshWords.h"
 
 namespace ray {
 

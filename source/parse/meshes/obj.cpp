@@ -5,7 +5,6 @@
 #include <unordered_map>
 
 #include "source/parse/Coordinate.h"
-#include "source/parse/meshes/Corners.h"
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/MeshWords.h"
@@ -16,69 +15,12 @@
 namespace ray {
 namespace {
 
-/// What a statement is to this reader.
-enum class ObjStatement { vertex, uv, normal, face, material, library, smoothing, invisible, line, curve, unknown };
-
-struct ObjKeyword {
-  std::string_view word;
-  ObjStatement statement;
-};
-
-// The first are the most frequent. "fo" is an old name of "f"; a group, a name or an attribute of rendering shows
-// nothing.
-constexpr ObjKeyword obj_keywords[] = {
-    {"v", ObjStatement::vertex},
-    {"f", ObjStatement::face},
-    {"vt", ObjStatement::uv},
-    {"vn", ObjStatement::normal},
-    {"fo", ObjStatement::face},
-    {"g", ObjStatement::invisible},
-    {"o", ObjStatement::invisible},
-    {"s", ObjStatement::smoothing},
-    {"usemtl", ObjStatement::material},
-    {"mtllib", ObjStatement::library},
-    {"mg", ObjStatement::invisible},
-    {"lod", ObjStatement::invisible},
-    {"usemap", ObjStatement::invisible},
-    {"maplib", ObjStatement::invisible},
-    {"bevel", ObjStatement::invisible},
-    {"c_interp", ObjStatement::invisible},
-    {"d_interp", ObjStatement::invisible},
-    {"shadow_obj", ObjStatement::invisible},
-    {"trace_obj", ObjStatement::invisible},
-    {"l", ObjStatement::line},
-    {"p", ObjStatement::line},
-    {"vp", ObjStatement::curve},
-    {"cstype", ObjStatement::curve},
-    {"deg", ObjStatement::curve},
-    {"bmat", ObjStatement::curve},
-    {"step", ObjStatement::curve},
-    {"curv", ObjStatement::curve},
-    {"curv2", ObjStatement::curve},
-    {"surf", ObjStatement::curve},
-    {"parm", ObjStatement::curve},
-    {"trim", ObjStatement::curve},
-    {"hole", ObjStatement::curve},
-    {"scrv", ObjStatement::curve},
-    {"sp", ObjStatement::curve},
-    {"end", ObjStatement::curve},
-    {"con", ObjStatement::curve},
-    {"ctech", ObjStatement::curve},
-    {"stech", ObjStatement::curve},
-    {"bzp", ObjStatement::curve},
-    {"bsp", ObjStatement::curve},
-    {"cdc", ObjStatement::curve},
-    {"cdp", ObjStatement::curve},
-    {"res", ObjStatement::curve},
-    {"csh", ObjStatement::invisible},
-    {"call", ObjStatement::curve},
-};
-
-ObjStatement StatementOf(std::string_view word) {
-  for (const ObjKeyword& keyword : obj_keywords)
-    if (keyword.word == word) return keyword.statement;
-  return ObjStatement::unknown;
-}
+// Statements of groups, names and attributes of rendering, which show nothing; and those of curves and surfaces.
+constexpr std::string_view invisible[] = {"g",     "o",        "mg",       "lod",        "usemap",    "maplib",
+                                          "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "csh"};
+constexpr std::string_view curves[] = {"vp",    "cstype", "deg",  "bmat", "step", "curv", "curv2", "surf",
+                                       "parm",  "trim",   "hole", "scrv", "sp",   "end",  "con",   "ctech",
+                                       "stech", "bzp",    "bsp",  "cdc",  "cdp",  "res",  "call"};
 
 /// Reads vertices and faces. Statements without a meaning for them are passed over; what would be seen and is not, and
 /// what no statement is, with a warning.
@@ -106,31 +48,19 @@ class ObjReader {
   }
 
  private:
+  /// "fo" is an old name of "f".
   void ReadStatement(const Token& word) {
-    switch (StatementOf(word.text)) {
-      case ObjStatement::vertex:
-        return ReadPlace();
-      case ObjStatement::uv:
-        return ReadUv();
-      case ObjStatement::normal:
-        return ReadNormal();
-      case ObjStatement::face:
-        return ReadFace();
-      case ObjStatement::material:
-        return ReadMaterial();
-      case ObjStatement::library:
-        return ReadLibraries();
-      case ObjStatement::smoothing:
-        return ReadSmoothing();
-      case ObjStatement::invisible:
-        return;
-      case ObjStatement::line:
-        return lines_.Add(word);
-      case ObjStatement::curve:
-        return curves_.Add(word);
-      case ObjStatement::unknown:
-        return unknown_.Add(word);
-    }
+    const std::string_view name = word.text;
+    if (name == "v") return ReadPlace();
+    if (name == "f" || name == "fo") return ReadFace();
+    if (name == "vt") return ReadUv();
+    if (name == "vn") return ReadNormal();
+    if (name == "s") return ReadSmoothing();
+    if (name == "usemtl") return ReadMaterial();
+    if (name == "mtllib") return ReadLibraries();
+    if (name == "l" || name == "p") return lines_.Add(word);
+    if (std::ranges::find(curves, name) != std::end(curves)) return curves_.Add(word);
+    if (std::ranges::find(invisible, name) == std::end(invisible)) unknown_.Add(word);
   }
 
   void ReadPlace() {

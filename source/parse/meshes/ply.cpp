@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "source/parse/Coordinate.h"
-#include "source/parse/meshes/Corners.h"
 #include "source/parse/meshes/Faces.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/PlyFile.h"

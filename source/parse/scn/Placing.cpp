@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "source/parse/courses/objects/Placement.h"
+#include "R3/Placement.h"
 #include "source/text/Number.h"
 #include "source/text/Suggestion.h"
 
@@ -15,11 +15,11 @@ R3::Vector VectorOf(const Arguments& read, std::size_t first = 0) {
   return {read.values[first], read.values[first + 1], read.values[first + 2]};
 }
 
-const std::array<R3::Argument, 3> translation{{{"x"}, {"y"}, {"z"}}};
+constexpr auto translation = R3::ArgumentsNamed("x", "y", "z");
 
 R3::Matrix ReadTranslation(Statement& statement) { return Translation(VectorOf(statement.Coordinates(translation))); }
 
-const std::array<R3::Argument, 4> rotation{{{"degrees"}, {"ax"}, {"ay"}, {"az"}}};
+constexpr auto rotation = R3::ArgumentsNamed("degrees", "ax", "ay", "az");
 
 R3::Matrix ReadRotation(Statement& statement) {
   const Arguments read = statement.Coordinates(rotation);
@@ -28,19 +28,19 @@ R3::Matrix ReadRotation(Statement& statement) {
     statement.Error(read.words[1], "rotate: the axis must not be 0 0 0", "rotate 90 0 1 0 turns about the y axis");
     return {};
   }
-  return RotationAbout(VectorOf(read, 1), read.values[0]);
+  return R3::RotationAbout(VectorOf(read, 1), read.values[0]);
 }
 
-const std::array<R3::Argument, 1> first_factor{{{"s"}}};
-const std::array<R3::Argument, 2> more_factors{{{"sy"}, {"sz"}}};
+constexpr auto first_factor = R3::ArgumentsNamed("s");
+constexpr auto more_factors = R3::ArgumentsNamed("sy", "sz");
 
 /// One factor, or three.
 R3::Matrix ReadScaling(Statement& statement) {
   const double x = statement.Coordinates(first_factor).values[0];
   const auto& next = statement.Peek();
-  if (!next || (ParseNumber(next->text).problem && !SaysNanOrInfinity(next->text))) return Scaling({x, x, x});
+  if (!next || (ParseNumber(next->text).problem && !SaysNanOrInfinity(next->text))) return R3::Scaling({x, x, x});
   const Arguments more = statement.Coordinates(more_factors);
-  return Scaling({x, more.values[0], more.values[1]});
+  return R3::Scaling({x, more.values[0], more.values[1]});
 }
 
 R3::Matrix ReadLookAt(Statement& statement) {

@@ -22,7 +22,6 @@ R3::Matrix ReadPlacement(Statement& statement);
 void RefusePlacement(Statement& statement);
 
 /// The arguments of look_at: an eye, a point to look at, and a vector that is up.
-inline const std::array<R3::Argument, 9> look_at_arguments{
-    {{"ex"}, {"ey"}, {"ez"}, {"tx"}, {"ty"}, {"tz"}, {"ux"}, {"uy"}, {"uz"}}};
+inline constexpr auto look_at_arguments = R3::ArgumentsNamed("ex", "ey", "ez", "tx", "ty", "tz", "ux", "uy", "uz");
 
 }  // namespace ray

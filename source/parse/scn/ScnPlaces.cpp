@@ -8,9 +8,9 @@
 namespace ray {
 namespace {
 
-constexpr std::string_view mark_of_utf8 = "\xEF\xBB\xBF";
-
-std::size_t BeginOfText(std::string_view bytes) { return bytes.starts_with(mark_of_utf8) ? mark_of_utf8.size() : 0; }
+std::size_t BeginOfText(std::string_view bytes) {
+  return bytes.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+}
 
 /// The offset behind the end of the line that `at` is in; lines end with LF, CR LF or CR.
 std::size_t NextLine(std::string_view bytes, std::size_t at) {
@@ -65,17 +65,7 @@ std::optional<std::uint32_t> StatementAt(const ScnPlaces& places, const Location
 }
 
 Location LocationAt(const ScnPlaces& places, std::uint32_t file, std::size_t offset) {
-  const std::string& bytes = places.files[file].text->bytes;
-  Location location{file, 1, 1};
-  std::size_t line = BeginOfText(bytes);
-  for (std::size_t next = NextLine(bytes, line); next <= offset && next > line; next = NextLine(bytes, line)) {
-    if (next == bytes.size() && !EndsLine(bytes[next - 1])) break;
-    line = next;
-    ++location.line;
-  }
-  location.column =
-      static_cast<std::uint32_t>(1 + CountCharacters(std::string_view(bytes).substr(line, offset - line)));
-  return location;
+  return LocationOf(file, TextPlaces(*places.files[file].text).At({offset, 1}));
 }
 
 }  // namespace ray

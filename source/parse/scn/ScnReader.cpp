@@ -168,9 +168,9 @@ void ScnReader::UnknownCommand(const Token& word) {
   } else if (const auto hint = ForeignHint(word.text); !hint.empty()) {
     Error(ErrorAt(*file.text, word, Quoted(word.text) + " is a command of another .scn dialect", std::string(hint)));
   } else {
-    Error(ErrorAt(*file.text, word, "unknown command " + Quoted(word.text),
-                  word.text.starts_with("//") ? "a comment begins with #"
-                                              : Suggestion(word.text, CommandNames(), "commands")));
+    Error(ErrorAt(
+        *file.text, word, "unknown command " + Quoted(word.text),
+        word.text.starts_with("//") ? "a comment begins with #" : Suggestion(word.text, CommandNames(), "commands")));
   }
   if (!is_number) file.tokens.SkipLine(word.line);  // "particle_sink sphere ..." is no sphere
   while (file.tokens.Peek() && !BeginsStatement(*file.tokens.Peek())) file.tokens.Next();

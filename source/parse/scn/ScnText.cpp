@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "R3/Mesh.h"
+#include "R3/Polygon.h"
 #include "source/parse/CsgOf.h"
-#include "source/parse/meshes/Polygon.h"
-#include "source/parse/scn/ObjText.h"
 #include "source/parse/scn/QuotedName.h"
 #include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
@@ -17,6 +16,27 @@
 
 namespace ray {
 namespace {
+
+/// A vector that rounds to this one when it is made a unit vector, as a mesh does with the normals it reads. A unit
+/// vector itself may not: its length is 1 only within rounding. Multiples of it are rounded in other ways, and about
+/// every third does; the last digits of one that has none are lost.
+R3::Vector BeforeUnit(const R3::Vector& unit) {
+  constexpr int most_tries = 1000;
+  for (int scale = 1; scale <= most_tries; ++scale)
+    if (const R3::Vector v = scale * unit; Unit(v) == unit) return v;
+  return unit;
+}
+
+template <class Number>
+std::string Numbers(Number a, Number b, Number c) {
+  return " " + ToText(a) + " " + ToText(b) + " " + ToText(c);
+}
+
+std::string Corner(std::uint32_t index, bool has_uv, bool has_normal) {
+  const std::string number = std::to_string(index + 1);
+  if (!has_uv && !has_normal) return number;
+  return number + "/" + (has_uv ? number : "") + (has_normal ? "/" + number : "");
+}
 
 /// Flat polygons of so many triangles or fewer are spelled out: what a scene gives corner by corner, not what a program
 /// made. Longer ones would bury the scene.
@@ -41,16 +61,16 @@ std::string TextOf(const std::vector<double>& numbers) {
 const char* PolygonCommandOf(const R3::Mesh& mesh, const Material& material) {
   const R3::MeshData& data = mesh.Data();
   const std::size_t corners = data.positions.size();
-  const std::size_t most_corners = IsBlack(material.emission) ? most_spelled_out : max_concave_corners;
+  const std::size_t most_corners = IsBlack(material.emission) ? most_spelled_out : R3::max_concave_corners;
   if (!data.is_one_polygon || !data.colors.empty() || corners < 3 || corners > most_corners) return nullptr;
-  const auto cuts = Triangulate(data.positions);
+  const auto cuts = R3::Triangulate(data.positions);
   if (!cuts) return nullptr;
   R3::MeshData again;
   again.positions = data.positions;
   again.triangles.assign(cuts->begin(), cuts->end());
   if (R3::Mesh(std::move(again)).Data().triangles != data.triangles) return nullptr;
   if (data.uvs.empty()) return "polygon";
-  return corners == 4 && data.uvs == QuadUvs() ? "quad" : nullptr;
+  return corners == 4 && data.uvs == R3::QuadUvs() ? "quad" : nullptr;
 }
 
 class ScnWriter {
@@ -273,6 +293,30 @@ class ScnWriter {
 };
 
 }  // namespace
+
+std::string ObjText(const R3::Mesh& mesh) {
+  const R3::MeshData& data = mesh.Data();
+  const bool has_uv = !data.uvs.empty(), has_normal = mesh.IsSmooth();
+  std::string text;
+  for (std::size_t i = 0; i < data.positions.size(); ++i) {
+    const R3::Point& p = data.positions[i];
+    text += "v" + Numbers(p.x, p.y, p.z);
+    if (!data.colors.empty()) text += Numbers(data.colors[i][0], data.colors[i][1], data.colors[i][2]);
+    text += "\n";
+  }
+  for (const R2::Point& uv : data.uvs) text += "vt " + ToText(uv.x) + " " + ToText(uv.y) + "\n";
+  if (has_normal)
+    for (const R3::Normal& normal : data.normals) {
+      const R3::Vector n = BeforeUnit(AsVector(normal));
+      text += "vn" + Numbers(n.x, n.y, n.z) + "\n";
+    }
+  for (const auto& triangle : data.triangles) {
+    text += "f";
+    for (const std::uint32_t index : triangle) text += " " + Corner(index, has_uv, has_normal);
+    text += "\n";
+  }
+  return text;
+}
 
 ScnText WriteScn(const Scene& scene, const std::filesystem::path& file) { return ScnWriter(scene, file).Write(); }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "R3/Mesh.h"
 #include "source/scene/Scene.h"
 
 namespace ray {
@@ -25,5 +26,8 @@ struct ScnText {
 ///   file   that the text is meant for, absolute and free of links: files of meshes and pictures are named as seen from
 ///          its folder, and meshes without a file get names that begin like its own
 ScnText WriteScn(const Scene& scene, const std::filesystem::path& file);
+
+/// A mesh as a Wavefront OBJ file. Read again, smooth if it is smooth, it is the same mesh to the bit.
+std::string ObjText(const R3::Mesh& mesh);
 
 }  // namespace ray

@@ -3,24 +3,15 @@
 
 #include "source/parse/scn/Placing.h"
 #include "source/parse/scn/ScnReader.h"
+#include "source/text/Number.h"
+#include "source/text/Quoting.h"
+#include "source/text/Suggestion.h"
 
 namespace ray {
 namespace {
 
-const std::array<R3::Argument, 12> camera_arguments{{
-    {"ex"},
-    {"ey"},
-    {"ez"},  //
-    {"tx"},
-    {"ty"},
-    {"tz"},  //
-    {"ux"},
-    {"uy"},
-    {"uz"},  //
-    {"xfov"},
-    {"near"},
-    {"far"},
-}};
+constexpr auto camera_arguments =
+    R3::ArgumentsNamed("ex", "ey", "ez", "tx", "ty", "tz", "ux", "uy", "uz", "xfov", "near", "far");
 
 void CheckView(Statement& statement, const Arguments& read) {
   constexpr std::size_t tx = 3, xfov = 9;
@@ -46,7 +37,7 @@ std::optional<AimedCamera> ReadDirected(Statement& statement) {
 }
 
 constexpr std::string_view look_at_usage = "camera look_at ex ey ez tx ty tz ux uy uz fov";
-const std::array<R3::Argument, 1> whole_angle{{{"fov"}}};
+constexpr auto whole_angle = R3::ArgumentsNamed("fov");
 
 /// An extension: an eye, a point to look at and a whole angle in degrees.
 std::optional<AimedCamera> ReadLookingAt(Statement& statement) {
@@ -89,6 +80,39 @@ void ReadView(ScnReader& reader, Statement& statement) {
   if (camera.IsMirrored() != is_mirrored) camera.right = -camera.right;
 }
 
+/// An extension: how the camera's picture is laid out, and how much of the scene it shows across.
+void ReadProjection(ScnReader& reader, Statement& statement) {
+  const Token name = statement.Word("name");
+  const CameraKind* kind = FindCameraKind(name.text);
+  const auto number = statement.TakesNumber();
+  if (!kind)
+    return statement.Error(name, "unknown projection " + Quoted(name.text),
+                           Suggestion(name.text, CameraKindNames(), "projections"));
+  double extent = 0;
+  if (number) {
+    const auto [value, problem] = ParseNumber(number->text);
+    if (kind->extent == CameraExtent::none || kind == &pinhole_camera)
+      return statement.Error(*number, "projection " + std::string(kind->name) + " takes no number",
+                             kind == &pinhole_camera ? "the angle is that of the camera" : "it shows the whole sphere");
+    if (problem || !IsExtent(*kind, value))
+      return statement.Error(*number, "projection " + std::string(kind->name) + " must have " + RangeOfExtent(*kind) +
+                                          ", got " + Escaped(number->text));
+    extent = value;
+  }
+  Camera& camera = reader.Builder().scene.camera;
+  camera.kind = kind;
+  camera.extent = extent;
+}
+
+/// "fisheye, a circle...; latlong, ..."
+std::string About() {
+  std::string about =
+      "how the camera's image is laid out; the number is the whole angle across in degrees, or of orthographic the "
+      "width, and without it the camera's angle decides";
+  for (const CameraKind* kind : CameraKinds()) about += std::string("; ") + kind->name + ": " + kind->about;
+  return about;
+}
+
 }  // namespace
 
 extern const Command camera_command{
@@ -103,5 +127,7 @@ extern const Command view_command{
     "width over height of what the camera sees, 0 for that of the image; how far the middle of the image is off "
     "the axis, to the right and up, in half widths; whether left and right change places",
     ReadView};
+
+extern const Command projection_command{"projection", "projection name [degrees|width]", About(), ReadProjection};
 
 }  // namespace ray

@@ -1,31 +1,19 @@
 #include <array>
+#include <utility>
 
+#include "source/parse/CsgOf.h"
 #include "source/parse/scn/Placing.h"
 #include "source/parse/scn/ScnReader.h"
 #include "source/scene/Singular.h"
 #include "source/text/Number.h"
+#include "source/text/Quoting.h"
+#include "source/text/Suggestion.h"
 
 namespace ray {
 namespace {
 
-const std::array<R3::Argument, 16> entries{{
-    {"m00"},
-    {"m01"},
-    {"m02"},
-    {"m03"},  //
-    {"m10"},
-    {"m11"},
-    {"m12"},
-    {"m13"},  //
-    {"m20"},
-    {"m21"},
-    {"m22"},
-    {"m23"},  //
-    {"m30"},
-    {"m31"},
-    {"m32"},
-    {"m33"},
-}};
+constexpr auto entries = R3::ArgumentsNamed("m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13", "m20", "m21", "m22",
+                                            "m23", "m30", "m31", "m32", "m33");
 
 R3::Matrix MatrixOf(const std::vector<double>& entry) {
   R3::Matrix matrix;
@@ -85,7 +73,7 @@ void ReadBegin(ScnReader& reader, Statement& statement) {
 
 void ReadEnd(ScnReader& reader, Statement& statement) { reader.CloseGroup(statement); }
 
-const std::array<R3::Argument, 3> way{{{"dx"}, {"dy"}, {"dz"}}};
+constexpr auto way = R3::ArgumentsNamed("dx", "dy", "dz");
 
 /// An extension: how far the enclosing group moves while the shutter is open, in its parent's coordinates.
 void ReadMotion(ScnReader& reader, Statement& statement) {
@@ -98,6 +86,31 @@ void ReadMotion(ScnReader& reader, Statement& statement) {
   if (group && statement.IsGood()) group->motion = {read.values[0], read.values[1], read.values[2]};
 }
 
+R3::CsgOperation ReadOperation(Statement& statement) {
+  const Token word = statement.Word("operation");
+  for (std::size_t i = 0; i < csg_operations.size(); ++i)
+    if (word.text == csg_operations[i]) return static_cast<R3::CsgOperation>(i);
+  statement.Error(word, "csg must be followed by union, intersection or difference, got " + Quoted(word.text),
+                  Suggestion(word.text, csg_operations, "operations"));
+  return {};
+}
+
+/// An extension. What is inside it up to its end is combined; it is opened whatever is wrong, so that its end finds it.
+void ReadCsg(ScnReader& reader, Statement& statement) {
+  Node csg;
+  csg.operation = R3::CsgOperation::unite;
+  try {
+    csg.operation = ReadOperation(statement);
+    csg.material = reader.ReadMaterial(statement);
+    const auto fault = statement.IsGood() ? reader.Builder().FaultOfCsg(csg) : std::nullopt;
+    if (fault) statement.Error(statement.CommandWord(), fault->message, fault->hint);
+  } catch (const Statement::Incomplete&) {
+    reader.OpenGroup(statement, std::move(csg));
+    throw;
+  }
+  reader.OpenGroup(statement, std::move(csg));
+}
+
 }  // namespace
 
 extern const Command motion_command{"motion", "motion dx dy dz",
@@ -106,5 +119,10 @@ extern const Command begin_command{
     "begin", "begin mat_id m00 m01 m02 m03 m10 ... m33, or begin mat_id translate x y z ...",
     "opens a group with a material and a 4x4 matrix, row by row, or any number of " + UsageOfPlacements(), ReadBegin};
 extern const Command end_command{"end", "end", "closes the innermost group of the file", ReadEnd};
+
+extern const Command csg_command{
+    "csg", "csg union|intersection|difference mat_id",
+    "combines the closed solids up to its end: all of them, what they have in common, or the first without the others",
+    ReadCsg};
 
 }  // namespace ray

@@ -6,27 +6,9 @@
 namespace ray {
 namespace {
 
-constexpr bool not_negative = false;
-
-const std::array<R3::Argument, 17> material_arguments{{
-    {"ka_r", not_negative},
-    {"ka_g", not_negative},
-    {"ka_b", not_negative},  //
-    {"kd_r", not_negative},
-    {"kd_g", not_negative},
-    {"kd_b", not_negative},  //
-    {"ks_r", not_negative},
-    {"ks_g", not_negative},
-    {"ks_b", not_negative},  //
-    {"kt_r", not_negative},
-    {"kt_g", not_negative},
-    {"kt_b", not_negative},  //
-    {"e_r", not_negative},
-    {"e_g", not_negative},
-    {"e_b", not_negative},  //
-    {"n", not_negative},
-    {"ir", not_negative},
-}};
+constexpr auto material_arguments =
+    R3::ArgumentsFromZero("ka_r", "ka_g", "ka_b", "kd_r", "kd_g", "kd_b", "ks_r", "ks_g", "ks_b", "kt_r", "kt_g",
+                          "kt_b", "e_r", "e_g", "e_b", "n", "ir");
 
 void SetNumbers(Material& material, const std::vector<double>& a) {
   material.ka = {a[0], a[1], a[2]};
@@ -49,7 +31,7 @@ void ReadMaterial(ScnReader& reader, Statement& statement) {
   });
 }
 
-const std::array<R3::Argument, 3> channels_of_color{{{"r", not_negative}, {"g", not_negative}, {"b", not_negative}}};
+constexpr auto channels_of_color = R3::ArgumentsFromZero("r", "g", "b");
 
 /// Reads a command that gives a material one more color.
 template <auto member>
@@ -59,7 +41,7 @@ void ReadColorOfMaterial(ScnReader& reader, Statement& statement) {
   if (material && statement.IsGood()) material->*member = R2::Color{a[0], a[1], a[2]};
 }
 
-const std::array<R3::Argument, 1> priority_argument{{{"priority"}}};
+constexpr auto priority_argument = R3::ArgumentsNamed("priority");
 
 /// An extension: which of overlapping solids fills the place.
 void ReadPriority(ScnReader& reader, Statement& statement) {
@@ -77,7 +59,7 @@ void ReadPriority(ScnReader& reader, Statement& statement) {
   material->priority = static_cast<int>(value);
 }
 
-const std::array<R3::Argument, 1> coat_index{{{"ir"}}};
+constexpr auto coat_index = R3::ArgumentsNamed("ir");
 
 /// An extension: a clear coat over what is diffuse.
 void ReadCoat(ScnReader& reader, Statement& statement) {
@@ -96,7 +78,7 @@ void ReadSwitchOfMaterial(ScnReader& reader, Statement& statement) {
   if (material && statement.IsGood()) material->*member = true;
 }
 
-const std::array<R3::Argument, 2> repetitions{{{"su"}, {"sv"}}};
+constexpr auto repetitions = R3::ArgumentsNamed("su", "sv");
 
 /// An extension: how often images repeat where texture coordinates run from 0 to 1.
 void ReadTextureScale(ScnReader& reader, Statement& statement) {
@@ -109,7 +91,7 @@ void ReadTextureScale(ScnReader& reader, Statement& statement) {
   if (material && statement.IsGood()) material->texture_scale = {scale.values[0], scale.values[1]};
 }
 
-const std::array<R3::Argument, 1> height{{{"height"}}};
+constexpr auto height = R3::ArgumentsNamed("height");
 
 /// An extension: the luminance of a picture, times a height, is how far the surface seems to rise.
 void ReadBump(ScnReader& reader, Statement& statement) {
@@ -133,7 +115,7 @@ void ReadMapOfMaterial(ScnReader& reader, Statement& statement) {
                   [&] { material->*member = reader.Library().Image(file.name, reader.CurrentFile(), use); });
 }
 
-const std::array<R3::Argument, 2> gloss_arguments{{{"exponent"}, {"samples"}}};
+constexpr auto gloss_arguments = R3::ArgumentsNamed("exponent", "samples");
 
 /// An extension: reflections that are blurred whatever the settings.
 void ReadGloss(ScnReader& reader, Statement& statement) {

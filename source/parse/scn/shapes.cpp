@@ -1,5 +1,12 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
 
+#include "R3/Implicit.h"
+#include "R3/Mesh.h"
+#include "R3/Polygon.h"
 #include "R3/Segment.h"
 #include "R3/ShapeKind.h"
 #include "source/parse/scn/ScnReader.h"
@@ -72,7 +79,7 @@ void ReadMesh(ScnReader& reader, Statement& statement) {
   reader.AddNode(statement, std::move(node));
 }
 
-const std::array<R3::Argument, 6> line_arguments{{{"x1"}, {"y1"}, {"z1"}, {"x2"}, {"y2"}, {"z2"}}};
+constexpr auto line_arguments = R3::ArgumentsNamed("x1", "y1", "z1", "x2", "y2", "z2");
 
 void ReadLine(ScnReader& reader, Statement& statement) {
   Node node;
@@ -83,6 +90,104 @@ void ReadLine(ScnReader& reader, Statement& statement) {
   node.line = std::make_unique<const R3::Segment>(R3::Segment{{a[0], a[1], a[2]}, {a[3], a[4], a[5]}});
   SetBounds(node);
   reader.AddNode(statement, std::move(node));
+}
+
+constexpr std::size_t most_corners = R3::max_concave_corners;
+
+constexpr auto corner_count = R3::ArgumentsNamed("n");
+
+/// So many corners, three numbers each; none after a mistake.
+std::vector<R3::Point> ReadCorners(Statement& statement, std::size_t count) {
+  std::vector<R3::Argument> names;
+  for (std::size_t i = 0; i < count; ++i) names.insert(names.end(), {{"x"}, {"y"}, {"z"}});
+  const Arguments read = statement.Coordinates(names);
+  if (!statement.IsGood()) return {};
+  std::vector<R3::Point> corners;
+  for (std::size_t i = 0; i < count; ++i)
+    corners.push_back({read.values[3 * i], read.values[3 * i + 1], read.values[3 * i + 2]});
+  return corners;
+}
+
+/// Triangles of the corners' own, which face where the corners are counter-clockwise.
+void AddFlat(ScnReader& reader, Statement& statement, int material, const std::vector<R3::Point>& corners,
+             std::vector<R2::Point> uvs) {
+  if (const char* const fault = R3::FaultOfPolygon(corners))
+    reader.Warn(statement, "this " + statement.What().name + " " + fault);
+  const auto cuts = R3::Triangulate(corners);
+  R3::MeshData data;
+  data.positions = corners;
+  data.triangles.assign(cuts->begin(), cuts->end());
+  data.uvs = std::move(uvs);
+  data.is_one_polygon = true;
+  reader.AddShape(statement, material, std::make_unique<const R3::Mesh>(std::move(data)));
+}
+
+/// An extension: two triangles, their texture from corner to corner.
+void ReadQuad(ScnReader& reader, Statement& statement) {
+  const int material = reader.ReadMaterial(statement);
+  const std::vector<R3::Point> corners = ReadCorners(statement, 4);
+  if (statement.IsGood()) AddFlat(reader, statement, material, corners, R3::QuadUvs());
+}
+
+/// An extension: as many triangles as it takes.
+void ReadPolygon(ScnReader& reader, Statement& statement) {
+  const int material = reader.ReadMaterial(statement);
+  const Arguments read = statement.Numbers(corner_count);
+  const double n = read.values[0];
+  if (!(n >= 3 && n <= most_corners && n == std::floor(n))) {
+    statement.RestOfLine();  // corners of which nobody knows how many they should be
+    return statement.Error(read.words[0], "n must be a whole number of corners from 3 to " +
+                                              std::to_string(most_corners) + ", got " + Escaped(read.words[0].text));
+  }
+  const std::vector<R3::Point> corners = ReadCorners(statement, static_cast<std::size_t>(n));
+  if (statement.IsGood()) AddFlat(reader, statement, material, corners, {});
+}
+
+constexpr auto box_corners = R3::ArgumentsNamed("x", "y", "z", "X", "Y", "Z");
+
+/// What is between the quotes, if there are any.
+Token InnerOf(Token word) {
+  if (word.text.size() < 2 || word.text.front() != '"' || word.text.back() != '"') return word;
+  word.text = word.text.substr(1, word.text.size() - 2);
+  ++word.column;
+  return word;
+}
+
+/// Nothing after a mistake, which is pointed at.
+std::optional<R3::Expression> ReadFormula(Statement& statement) {
+  const Token text = InnerOf(statement.Word("formula"));
+  try {
+    return R3::Expression(text.text);
+  } catch (const R3::ExpressionError& error) {
+    Token part = text;
+    part.text = text.text.substr(std::min(error.at, text.text.size()), error.length);
+    part.column += error.at;  // what is before it is ASCII
+    statement.Error(part, error.what(), error.hint);
+    return {};
+  }
+}
+
+/// An extension: where a formula of x, y and z is not above 0, within a box.
+void ReadImplicit(ScnReader& reader, Statement& statement) {
+  const int material = reader.ReadMaterial(statement);
+  auto formula = ReadFormula(statement);
+  const Arguments read = statement.Coordinates(box_corners);
+  if (!formula || !statement.IsGood()) return;
+  R3::Box box;
+  box.Extend(R3::Point{read.values[0], read.values[1], read.values[2]});
+  box.Extend(R3::Point{read.values[3], read.values[4], read.values[5]});
+  reader.AddShape(statement, material, std::make_shared<const R3::Implicit>(std::move(*formula), box));
+}
+
+void ReadLight(const LightKind& kind, ScnReader& reader, Statement& statement) {
+  reader.Builder().has_light = true;
+  const Arguments read = statement.Numbers(kind.arguments);
+  if (!statement.IsGood()) return;
+  try {
+    reader.Builder().scene.lights.push_back(kind.make(read.values));
+  } catch (const R3::ArgumentError& error) {
+    statement.Error(read.words[error.index], error.what());
+  }
 }
 
 }  // namespace
@@ -101,5 +206,20 @@ extern const Command mesh_command{"mesh", "mesh mat_id file [smooth [degrees]] [
                                   ReadMesh};
 extern const Command line_command{"line", "line mat_id" + ArgumentNames(line_arguments),
                                   "a line segment that the viewer draws and no ray hits", ReadLine};
+
+extern const Command quad_command{"quad", "quad mat_id x1 y1 z1 x2 y2 z2 x3 y3 z3 x4 y4 z4",
+                                  "a quadrilateral, its corners counter-clockwise seen from its front", ReadQuad};
+extern const Command polygon_command{
+    "polygon", "polygon mat_id n x1 y1 z1 ... xn yn zn",
+    "a flat polygon of n corners, concave ones too, counter-clockwise seen from its front", ReadPolygon};
+
+extern const Command implicit_command{
+    "implicit", "implicit mat_id \"formula\"" + ArgumentNames(box_corners),
+    "the solid where a formula of x, y and z is not above 0, within a box of two opposite corners", ReadImplicit};
+
+Command LightCommand(const LightKind& kind) {
+  return {kind.name, kind.name + ArgumentNames(kind.arguments), kind.about,
+          [&kind](ScnReader& reader, Statement& statement) { ReadLight(kind, reader, statement); }};
+}
 
 }  // namespace ray

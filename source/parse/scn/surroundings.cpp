@@ -5,7 +5,7 @@
 namespace ray {
 namespace {
 
-const std::array<R3::Argument, 3> channels{{{"r", false}, {"g", false}, {"b", false}}};
+constexpr auto channels = R3::ArgumentsFromZero("r", "g", "b");
 
 void ReadColor(ScnReader& reader, Statement& statement, R2::Color Scene::*place) {
   const Arguments read = statement.Numbers(channels);
@@ -15,7 +15,7 @@ void ReadColor(ScnReader& reader, Statement& statement, R2::Color Scene::*place)
 void ReadBackground(ScnReader& reader, Statement& statement) { ReadColor(reader, statement, &Scene::background); }
 void ReadAmbient(ScnReader& reader, Statement& statement) { ReadColor(reader, statement, &Scene::ambient); }
 
-const std::array<R3::Argument, 1> distance{{{"distance", false}}};
+constexpr auto distance = R3::ArgumentsFromZero("distance");
 
 /// An extension: some courses' pictures were made with one.
 void ReadShadowBias(ScnReader& reader, Statement& statement) {

@@ -1,18 +1,32 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "source/parse/Assets.h"
 #include "source/parse/Files.h"
 #include "source/parse/Parse.h"
-#include "source/parse/Report.h"
 #include "source/parse/SceneBuilder.h"
-#include "source/parse/courses/comp30019/Command.h"
+#include "source/parse/SceneError.h"
 #include "source/parse/courses/comp30019/Line.h"
 
 namespace ray::comp30019 {
+
+class Reader;
+
+/// A word that begins a line.
+struct Command {
+  std::string_view name;
+  std::string_view usage;
+  void (*read)(Reader&, Line&);
+};
+
+/// Null when there is none of that name; letter case counts.
+const Command* FindCommand(std::string_view name);
+std::span<const std::string_view> CommandNames();
 
 /// The world of these scenes is left-handed, with z into the screen; ours is its mirror image, every z negated, which
 /// loses nothing.

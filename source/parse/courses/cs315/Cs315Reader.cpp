@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "R1/Elementary.h"
+#include "R3/Placement.h"
 #include "source/parse/Format.h"
-#include "source/parse/courses/objects/Placement.h"
 #include "source/parse/courses/objects/SharedKeys.h"
 #include "source/text/NumberText.h"
 #include "source/text/Suggestion.h"
@@ -200,7 +200,7 @@ std::optional<R3::Matrix> Cs315Reader::ReadTransform(const Field& field) {
   const auto v = (*both)[1].Vector();
   if (!name || !v) return {};
   if (*name == 0) return Translation(*v);
-  if (*name == 1) return RotationAbout(0, v->x) * RotationAbout(1, v->y) * RotationAbout(2, v->z);
+  if (*name == 1) return R3::RotationAbout(0, v->x) * R3::RotationAbout(1, v->y) * R3::RotationAbout(2, v->z);
   if (v->x == 0 || v->y == 0 || v->z == 0) {
     (*both)[1].Error("must not have a factor of 0: nothing would be left");
     return {};

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "R3/Placement.h"
 #include "source/parse/CsgOf.h"
 #include "source/parse/courses/objects/Kinds.h"
-#include "source/parse/courses/objects/Placement.h"
 #include "source/scene/Singular.h"
 
 namespace ray {

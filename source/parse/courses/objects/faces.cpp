@@ -2,9 +2,9 @@
 #include <array>
 
 #include "R3/Mesh.h"
+#include "R3/Placement.h"
+#include "R3/Polygon.h"
 #include "source/parse/courses/objects/Kinds.h"
-#include "source/parse/courses/objects/Placement.h"
-#include "source/parse/meshes/Polygon.h"
 
 namespace ray {
 namespace {
@@ -29,12 +29,12 @@ std::optional<Corners> ReadCorners(Mapping& object, const Spellings& spellings) 
 /// Corners of a flat mesh, its texture spread from corner to corner, and its normals if it has any.
 std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::vector<R2::Point> uvs,
                                   CornerNormals normals = {}) {
-  if (const char* const fault = FaultOfPolygon(corners))
+  if (const char* const fault = R3::FaultOfPolygon(corners))
     object.Reporter().Warn(object.What().extent, std::string("this shape ") + fault);
-  const auto cuts = Triangulate(corners);
-  if (!cuts || (corners.size() > max_concave_corners && cuts != Fan(corners.size()))) {
+  const auto cuts = R3::Triangulate(corners);
+  if (!cuts || (corners.size() > R3::max_concave_corners && cuts != R3::Fan(corners.size()))) {
     object.Reporter().Error(object.What(),
-                            "has more than " + std::to_string(max_concave_corners) + " corners and is not convex");
+                            "has more than " + std::to_string(R3::max_concave_corners) + " corners and is not convex");
     return {};
   }
   R3::MeshData data;
@@ -89,7 +89,7 @@ std::optional<PlacedShape> ParallelogramOf(Mapping& object) {
   const R3::Point position = object.NeedPoint({"position"});
   const R3::Vector up = object.NeedVector({"up"}), side = object.NeedVector({"side"});
   if (!object.IsGood()) return {};
-  return MeshOf(object, {position, position + side, position + side + up, position + up}, QuadUvs());
+  return MeshOf(object, {position, position + side, position + side + up, position + up}, R3::QuadUvs());
 }
 
 /// Some say `name` for the file; beside another key for it, it is the name of the object.
@@ -122,7 +122,7 @@ R3::Vector FactorsOf(const std::optional<Field>& field) {
 R3::Matrix Unitizing(const R3::Box& box) {
   if (box.IsEmpty() || !(MaxComponent(box.Size()) > 0)) return {};
   const double factor = 2 / MaxComponent(box.Size());
-  return Scaling({factor, factor, factor}) * Translation(R3::Point{} - box.Center());
+  return R3::Scaling({factor, factor, factor}) * Translation(R3::Point{} - box.Center());
 }
 
 /// Without bounds after a mistake.
@@ -170,7 +170,7 @@ std::optional<PlacedShape> ReadQuad(Mapping& object) {
                            "the sides of this quad cross; its last two corners are taken in the other order");
     std::swap((*corners)[2], (*corners)[3]);
   }
-  return MeshOf(object, *corners, QuadUvs());
+  return MeshOf(object, *corners, R3::QuadUvs());
 }
 
 std::optional<PlacedShape> ReadPolygon(Mapping& object) {

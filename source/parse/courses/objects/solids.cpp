@@ -1,8 +1,8 @@
 #include <array>
 
+#include "R3/Placement.h"
 #include "source/parse/Coordinate.h"
 #include "source/parse/courses/objects/Kinds.h"
-#include "source/parse/courses/objects/Placement.h"
 
 namespace ray {
 namespace {

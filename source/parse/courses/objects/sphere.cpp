@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include "R1/Elementary.h"
+#include "R3/Placement.h"
 #include "source/parse/courses/objects/Kinds.h"
-#include "source/parse/courses/objects/Placement.h"
 
 namespace ray {
 namespace {
@@ -52,9 +52,9 @@ std::optional<R3::Matrix> FromQuaternion(const Field& field) {
     return {};
   }
   const double w = q[0] / length, x = q[1] / length, y = q[2] / length, z = q[3] / length;
-  return Frame({}, {1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
-               {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
-               {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)});
+  return R3::Frame({}, {1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+                   {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+                   {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)});
 }
 
 /// The radius alone, or a list of the radius and the axis.
@@ -92,7 +92,7 @@ Globe ReadGlobe(Mapping& object, const std::optional<R3::Vector>& axis_with_radi
     turned = FromSide(*side, axis);
   else
     turned = SmallestRotation(z, axis);
-  return {turned.value_or(R3::Matrix{}) * RotationAbout(2, angle), named || side || quaternion || angle != 0};
+  return {turned.value_or(R3::Matrix{}) * R3::RotationAbout(2, angle), named || side || quaternion || angle != 0};
 }
 
 // Our own sphere has the poles of its texture on z as well, but its longitude grows clockwise from +y: a globe with x
@@ -104,7 +104,7 @@ std::optional<PlacedShape> ReadSphere(ObjectReader&, Mapping& object, bool has_t
   if (!object.IsGood()) return {};
   if (!has_texture && !globe.is_turned)
     return PlacedShape{ShapeOf("sphere", std::array{center.x, center.y, center.z, read.radius})};
-  const R3::Matrix globe_from_sphere = Frame({}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
+  const R3::Matrix globe_from_sphere = R3::Frame({}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
   const R3::Matrix placement = Translation(FromOrigin(center)) * globe.world_from_globe * globe_from_sphere;
   return PlacedShape{ShapeOf("sphere", std::array{0.0, 0.0, 0.0, read.radius}), placement};
 }

@@ -11,7 +11,6 @@
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/parse/meshes/MeshFormat.h"
-#include "source/parse/scn/ObjText.h"
 #include "source/text/NumberText.h"
 #include "tests/Project.h"
 #include "tests/source/parse/Folder.h"

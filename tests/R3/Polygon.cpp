@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "source/parse/meshes/Polygon.h"
+#include "R3/Polygon.h"
 #include "tests/source/parse/ReadMesh.h"
 
 namespace ray {
@@ -14,7 +14,7 @@ namespace {
 
 ReadMesh Read(const std::string& name, std::string bytes) { return MeshOfBytes(name, std::move(bytes)); }
 
-double AreaOf(const Cuts& cuts, std::span<const R3::Point> polygon) {
+double AreaOf(const R3::Cuts& cuts, std::span<const R3::Point> polygon) {
   double area = 0;
   for (const auto& t : cuts) {
     const double twice = Cross(polygon[t[1]] - polygon[t[0]], polygon[t[2]] - polygon[t[0]]).z;
@@ -27,11 +27,11 @@ double AreaOf(const Cuts& cuts, std::span<const R3::Point> polygon) {
 TEST(Extremes, D9_TrianglesCoverAConcaveFaceOnce) {
   // A fan from the first corner would cover ground outside of each.
   const std::vector<R3::Point> arrow{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1.9, 0.1, 0}};
-  EXPECT_NEAR(AreaOf(*Triangulate(arrow), arrow), 0.2, 1e-12);
+  EXPECT_NEAR(AreaOf(*R3::Triangulate(arrow), arrow), 0.2, 1e-12);
   const std::vector<R3::Point> comb{{0, 0, 0}, {5, 0, 0}, {5, 2, 0}, {4, 2, 0}, {4, 1, 0}, {3, 1, 0},
                                     {3, 2, 0}, {2, 2, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
-  EXPECT_NEAR(AreaOf(*Triangulate(comb), comb), 8, 1e-12);
-  EXPECT_EQ(Triangulate(comb)->size(), comb.size() - 2);
+  EXPECT_NEAR(AreaOf(*R3::Triangulate(comb), comb), 8, 1e-12);
+  EXPECT_EQ(R3::Triangulate(comb)->size(), comb.size() - 2);
 }
 
 double Shoelace(std::span<const R3::Point> polygon) {
@@ -62,7 +62,7 @@ std::vector<std::vector<R3::Point>> ConcavePolygons(int n) {
 TEST(Extremes, D9_TrianglesCoverAConcaveFaceOf5000CornersOnce) {
   for (const int n : {300, 5000})
     for (const auto& polygon : ConcavePolygons(n)) {
-      const auto cuts = Triangulate(polygon);
+      const auto cuts = R3::Triangulate(polygon);
       ASSERT_TRUE(cuts);
       EXPECT_EQ(cuts->size(), polygon.size() - 2);
       const double area = Shoelace(polygon);
@@ -169,7 +169,7 @@ TEST(Extremes, D9_EdgesOfAFaceStayEdgesOfItsTriangles) {
   };
   for (const auto& polygon : polygons) {
     const auto n = static_cast<std::uint32_t>(polygon.size());
-    const auto cuts = Triangulate(polygon);
+    const auto cuts = R3::Triangulate(polygon);
     ASSERT_TRUE(cuts);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;  // directed; those inside cancel
     for (const auto& t : *cuts)
@@ -192,7 +192,7 @@ TEST(Extremes, D9_ConvexFacesAreFansFromTheirFirstCorner) {
         const double x = reversed ? b : a, y = reversed ? a : b;
         square.push_back(axis == 0 ? R3::Point{5, x, y} : axis == 1 ? R3::Point{x, 5, y} : R3::Point{x, y, 5});
       }
-      EXPECT_EQ(*Triangulate(square), (Cuts{{0, 1, 2}, {0, 2, 3}}));
+      EXPECT_EQ(*R3::Triangulate(square), (R3::Cuts{{0, 1, 2}, {0, 2, 3}}));
     }
 }
 

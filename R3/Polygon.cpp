@@ -1,4 +1,4 @@
-#include "source/parse/meshes/Polygon.h"
+#include "R3/Polygon.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include "R2/Point.h"
 #include "R3/Vector.h"
 
-namespace ray {
+namespace R3 {
 namespace {
 
 /// Ear clipping ends after looking at so many corners for each corner of the polygon, so that reading a file takes
@@ -17,16 +17,16 @@ constexpr std::size_t most_looks_a_corner = 12'500;
 
 /// Newell's normal, and whether it is shorter than one of its terms, since the polygon turns about as much either way.
 struct Newell {
-  R3::Vector normal;
+  Vector normal;
   bool cancels = false;
 };
 
-Newell NewellOf(std::span<const R3::Point> polygon) {
-  R3::Vector normal;
+Newell NewellOf(std::span<const Point> polygon) {
+  Vector normal;
   double largest = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const R3::Vector a = polygon[i] - polygon[0], b = polygon[(i + 1) % polygon.size()] - polygon[0];
-    const R3::Vector term = Cross(a, b);
+    const Vector a = polygon[i] - polygon[0], b = polygon[(i + 1) % polygon.size()] - polygon[0];
+    const Vector term = Cross(a, b);
     normal = normal + term;
     largest = std::max(largest, MaxComponent(Abs(term)));
   }
@@ -34,13 +34,13 @@ Newell NewellOf(std::span<const R3::Point> polygon) {
 }
 
 /// The polygon as seen along the axis of its normal's largest component, turning counter-clockwise.
-std::vector<R2::Point> Flattened(std::span<const R3::Point> polygon, const R3::Vector& normal) {
+std::vector<R2::Point> Flattened(std::span<const Point> polygon, const Vector& normal) {
   const int axis = MaxAxis(normal);
   int x = (axis + 1) % 3, y = (axis + 2) % 3;
   if (normal[axis] < 0) std::swap(x, y);
   std::vector<R2::Point> flat;
   flat.reserve(polygon.size());
-  for (const R3::Point& p : polygon) flat.push_back({p[x], p[y]});
+  for (const Point& p : polygon) flat.push_back({p[x], p[y]});
   return flat;
 }
 
@@ -130,9 +130,9 @@ class EarClipping {
   std::size_t looks_ = 0;
 };
 
-double Extent(std::span<const R3::Point> polygon) {
+double Extent(std::span<const Point> polygon) {
   double extent = 0;
-  for (const R3::Point& p : polygon) extent = std::max(extent, Length(p - polygon[0]));
+  for (const Point& p : polygon) extent = std::max(extent, Length(p - polygon[0]));
   return extent;
 }
 
@@ -141,25 +141,25 @@ constexpr double flatness = 0.05;  // of the polygon's extent
 
 /// Newell's normal, but where the polygon crosses itself and turns about as much either way: then that of its largest
 /// triangle from the first corner.
-R3::Vector NormalOfAny(std::span<const R3::Point> polygon) {
+Vector NormalOfAny(std::span<const Point> polygon) {
   // Share of the area of the square around the polygon. Slivers of less take the normal of their largest triangle,
   // which is theirs as well.
   constexpr double least = 1e-3;
-  R3::Vector normal = NewellOf(polygon).normal;
+  Vector normal = NewellOf(polygon).normal;
   const double extent = Extent(polygon);
   if (Length(normal) > least * extent * extent) return normal;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
-    const R3::Vector of_triangle = Cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    const Vector of_triangle = Cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
     if (Length(of_triangle) > Length(normal)) normal = of_triangle;
   }
   return normal;
 }
 
-bool IsFlat(std::span<const R3::Point> polygon, const R3::Vector& normal) {
+bool IsFlat(std::span<const Point> polygon, const Vector& normal) {
   if (!(Length(normal) > 0)) return true;  // a line, which is no surface either
-  const auto distance = [&](const R3::Point& p) { return Dot(p - polygon[0], normal) / Length(normal); };
+  const auto distance = [&](const Point& p) { return Dot(p - polygon[0], normal) / Length(normal); };
   double low = 0, high = 0;
-  for (const R3::Point& p : polygon) {
+  for (const Point& p : polygon) {
     low = std::min(low, distance(p));
     high = std::max(high, distance(p));
   }
@@ -179,7 +179,7 @@ struct Meeting {
 
 /// Finds up to so many places where sides cross. Takes quadratic time, so nothing is found of polygons with more than
 /// max_concave_corners.
-std::vector<Meeting> MeetingsOfSides(std::span<const R3::Point> polygon, const R3::Vector& normal, std::size_t most) {
+std::vector<Meeting> MeetingsOfSides(std::span<const Point> polygon, const Vector& normal, std::size_t most) {
   const std::size_t n = polygon.size();
   std::vector<Meeting> meetings;
   if (n > max_concave_corners) return meetings;
@@ -216,7 +216,7 @@ std::vector<std::uint32_t> WayAround(std::size_t corners, std::span<const Meetin
 }
 
 /// The parts of a flat polygon that crosses itself, as loops of its corners and crossings; none of any other polygon.
-std::vector<std::vector<std::uint32_t>> LoopsOf(std::span<const R3::Point> polygon, std::span<const Meeting> meetings) {
+std::vector<std::vector<std::uint32_t>> LoopsOf(std::span<const Point> polygon, std::span<const Meeting> meetings) {
   // Where the way comes to a crossing for the second time it has closed a loop, which is taken off it.
   std::vector<std::vector<std::uint32_t>> loops;
   std::vector<std::uint32_t> open;
@@ -234,20 +234,20 @@ std::vector<std::vector<std::uint32_t>> LoopsOf(std::span<const R3::Point> polyg
 }
 
 /// Cuts a polygon that crosses itself; nothing for one that does not, does so too often, or is not flat.
-std::optional<CutPolygon> CutWhereSidesCross(std::span<const R3::Point> polygon) {
-  const R3::Vector normal = NormalOfAny(polygon);
+std::optional<CutPolygon> CutWhereSidesCross(std::span<const Point> polygon) {
+  const Vector normal = NormalOfAny(polygon);
   if (!IsFlat(polygon, normal)) return {};
   const std::size_t too_many = polygon.size() + 1;  // so that a mesh takes no more memory than its file promises
   const std::vector<Meeting> meetings = MeetingsOfSides(polygon, normal, too_many);
   if (meetings.empty() || meetings.size() == too_many) return {};
-  std::vector<R3::Point> places(polygon.begin(), polygon.end());
+  std::vector<Point> places(polygon.begin(), polygon.end());
   CutPolygon cut;
   for (const Meeting& meeting : meetings) {
     const auto& [side, share] = cut.crossings.emplace_back(meeting.on_first);
     places.push_back(polygon[side] + share * (polygon[(side + 1) % polygon.size()] - polygon[side]));
   }
   for (const auto& loop : LoopsOf(polygon, meetings)) {
-    std::vector<R3::Point> corners;
+    std::vector<Point> corners;
     for (const std::uint32_t i : loop) corners.push_back(places[i]);
     for (const auto& t : Triangulate(corners).value_or(Fan(corners.size())))
       cut.cuts.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
@@ -257,9 +257,9 @@ std::optional<CutPolygon> CutWhereSidesCross(std::span<const R3::Point> polygon)
 
 }  // namespace
 
-const char* FaultOfPolygon(std::span<const R3::Point> polygon) {
+const char* FaultOfPolygon(std::span<const Point> polygon) {
   if (polygon.size() == 3) return nullptr;
-  const R3::Vector normal = NormalOfAny(polygon);
+  const Vector normal = NormalOfAny(polygon);
   if (!IsFlat(polygon, normal)) return "has corners that are not in one plane";
   return MeetingsOfSides(polygon, normal, 1).empty() ? nullptr : "has sides that cross";
 }
@@ -273,14 +273,14 @@ Cuts Fan(std::size_t corners) {
 
 std::vector<R2::Point> QuadUvs() { return {{0, 0}, {1, 0}, {1, 1}, {0, 1}}; }
 
-std::optional<Cuts> Triangulate(std::span<const R3::Point> polygon) {
+std::optional<Cuts> Triangulate(std::span<const Point> polygon) {
   if (polygon.size() == 3) return Fan(3);
   const std::vector<R2::Point> flat = Flattened(polygon, NewellOf(polygon).normal);
   if (FanFits(flat)) return Fan(polygon.size());
   return EarClipping(flat).CutAll();
 }
 
-std::optional<CutPolygon> CutApart(std::span<const R3::Point> polygon) {
+std::optional<CutPolygon> CutApart(std::span<const Point> polygon) {
   if (polygon.size() == 3) return CutPolygon{Fan(3)};
   const Newell newell = NewellOf(polygon);
   const std::vector<R2::Point> flat = Flattened(polygon, newell.normal);
@@ -293,4 +293,4 @@ std::optional<CutPolygon> CutApart(std::span<const R3::Point> polygon) {
   return {};
 }
 
-}  // namespace ray
+}  // namespace R3

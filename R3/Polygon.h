@@ -9,7 +9,7 @@
 #include "R2/Point.h"
 #include "R3/Point.h"
 
-namespace ray {
+namespace R3 {
 
 using Cuts = std::vector<std::array<std::uint32_t, 3>>;
 
@@ -22,7 +22,7 @@ Cuts Fan(std::size_t corners);
 
 /// Why a polygon that should be flat is none, for a message about it: "has corners that are not in one plane", "has
 /// sides that cross"; null where it is one, as far as its corners were rounded.
-const char* FaultOfPolygon(std::span<const R3::Point> polygon);
+const char* FaultOfPolygon(std::span<const Point> polygon);
 
 /// The texture coordinates that the corners of a `quad` have.
 std::vector<R2::Point> QuadUvs();
@@ -36,7 +36,7 @@ std::vector<R2::Point> QuadUvs();
 ///   source    Newell's normal: Sutherland, Sproull, Schumacker, A characterization of ten hidden-surface algorithms
 ///             (1974); ears: Meisters, Polygons have ears (1975), with the bookkeeping of Eberly, Triangulation by ear
 ///             clipping (2002). A polygon that crosses itself may run out of ears; any corner is cut off then.
-std::optional<Cuts> Triangulate(std::span<const R3::Point> polygon);
+std::optional<Cuts> Triangulate(std::span<const Point> polygon);
 
 /// Where one side of a polygon crosses another: at a share of the way from corner `side` to the next.
 struct SideCrossing {
@@ -54,6 +54,6 @@ struct CutPolygon {
 /// Does as Triangulate, but flat polygons of up to max_concave_corners that cross themselves, at most as often as they
 /// have corners, are cut where they do. Each part turns as its corners do, so the two halves of a bow tie face opposite
 /// ways.
-std::optional<CutPolygon> CutApart(std::span<const R3::Point> polygon);
+std::optional<CutPolygon> CutApart(std::span<const Point> polygon);
 
-}  // namespace ray
+}  // namespace R3

@@ -1,4 +1,4 @@
-#include "source/parse/courses/objects/Placement.h"
+#include "R3/Placement.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 #include "R1/Elementary.h"
 #include "R3/LeastAxis.h"
 
-namespace ray {
+namespace R3 {
 namespace {
 
 R1::SineCosine OfDegrees(double degrees) {
@@ -28,68 +28,66 @@ R1::SineCosine OfDegrees(double degrees) {
 
 }  // namespace
 
-R3::Matrix Frame(const R3::Point& origin, const R3::Vector& x, const R3::Vector& y, const R3::Vector& z) {
+Matrix Frame(const Point& origin, const Vector& x, const Vector& y, const Vector& z) {
   return {{{{x.x, y.x, z.x, origin.x}, {x.y, y.y, z.y, origin.y}, {x.z, y.z, z.z, origin.z}}}};
 }
 
-R3::Matrix Translation(const R3::Vector& way) { return {{{{1, 0, 0, way.x}, {0, 1, 0, way.y}, {0, 0, 1, way.z}}}}; }
+Matrix Translation(const Vector& way) { return {{{{1, 0, 0, way.x}, {0, 1, 0, way.y}, {0, 0, 1, way.z}}}}; }
 
-R3::Matrix Scaling(const R3::Vector& factors) {
-  return {{{{factors.x, 0, 0, 0}, {0, factors.y, 0, 0}, {0, 0, factors.z, 0}}}};
-}
+Matrix Scaling(const Vector& factors) { return {{{{factors.x, 0, 0, 0}, {0, factors.y, 0, 0}, {0, 0, factors.z, 0}}}}; }
 
-R3::Matrix RotationAbout(int axis, double degrees) {
+Matrix RotationAbout(int axis, double degrees) {
   const auto [sine, cosine] = OfDegrees(degrees);
   const auto a = static_cast<std::size_t>((axis + 1) % 3), b = static_cast<std::size_t>((axis + 2) % 3);
-  R3::Matrix matrix;
+  Matrix matrix;
   matrix.m[a][a] = matrix.m[b][b] = cosine;
   matrix.m[a][b] = -sine;
   matrix.m[b][a] = sine;
   return matrix;
 }
 
-R3::Matrix TurnOf(const R3::Vector& radians) {
+Matrix TurnOf(const Vector& radians) {
   constexpr double degrees = 180 / std::numbers::pi;
   return RotationAbout(2, radians.z * degrees) * RotationAbout(1, radians.y * degrees) *
          RotationAbout(0, radians.x * degrees);
 }
 
 // Rodrigues' formula, cos I + sin [a] + (1 - cos) a a^T.
-R3::Matrix RotationAbout(const R3::Vector& axis, double degrees) {
+Matrix RotationAbout(const Vector& axis, double degrees) {
   const R1::SineCosine turn = OfDegrees(degrees);
-  const R3::Vector a = Unit(axis);
-  const auto column = [&](const R3::Vector& e) {
+  const Vector a = Unit(axis);
+  const auto column = [&](const Vector& e) {
     return turn.cosine * e + turn.sine * Cross(a, e) + (1 - turn.cosine) * Dot(a, e) * a;
   };
   return Frame({}, column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1}));
 }
 
-std::optional<R3::Matrix> LookingAt(const R3::Point& eye, const R3::Point& target, const R3::Vector& up) {
-  const R3::Vector z = Unit(target - eye), x = Unit(Cross(Unit(up), z));
-  if (z == R3::Vector{} || x == R3::Vector{}) return {};
+std::optional<Matrix> LookingAt(const Point& eye, const Point& target, const Vector& up) {
+  const Vector z = Unit(target - eye), x = Unit(Cross(Unit(up), z));
+  if (z == Vector{} || x == Vector{}) return {};
   return Frame(eye, x, Cross(z, x), z);
 }
 
-R3::Matrix operator*(const R3::Matrix& a, const R3::Matrix& b) {
-  const auto column = [&](std::size_t i) { return a * R3::Vector{b.m[0][i], b.m[1][i], b.m[2][i]}; };
-  return Frame(a * R3::Point{b.m[0][3], b.m[1][3], b.m[2][3]}, column(0), column(1), column(2));
+Matrix operator*(const Matrix& a, const Matrix& b) {
+  const auto column = [&](std::size_t i) { return a * Vector{b.m[0][i], b.m[1][i], b.m[2][i]}; };
+  return Frame(a * Point{b.m[0][3], b.m[1][3], b.m[2][3]}, column(0), column(1), column(2));
 }
 
 // With v = from x to and c = from . to it is I + [v] + [v]^2 / (1 + c): Moller, Hughes, Efficiently building a matrix
 // to rotate one vector to another (1999), eq. 3. Beyond a right angle it is made of two halves, so that 1 + c never is
 // small.
-R3::Matrix SmallestRotation(const R3::Vector& from, const R3::Vector& to) {
+Matrix SmallestRotation(const Vector& from, const Vector& to) {
   const double c = Dot(from, to);
   if (c < 0) {
-    R3::Vector middle = from + to;
-    if (!(Length(middle) > 0)) middle = Cross(from, R3::LeastAxis(from));
-    const R3::Vector half = Unit(middle);
+    Vector middle = from + to;
+    if (!(Length(middle) > 0)) middle = Cross(from, LeastAxis(from));
+    const Vector half = Unit(middle);
     return SmallestRotation(half, to) * SmallestRotation(from, half);
   }
-  const R3::Vector v = Cross(from, to);
+  const Vector v = Cross(from, to);
   const double k = 1 / (1 + c);
-  const auto column = [&](const R3::Vector& e) { return c * e + Cross(v, e) + k * Dot(v, e) * v; };
+  const auto column = [&](const Vector& e) { return c * e + Cross(v, e) + k * Dot(v, e) * v; };
   return Frame({}, column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1}));
 }
 
-}  // namespace ray
+}  // namespace R3
