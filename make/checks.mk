@@ -13,13 +13,15 @@ tidy: $(TIDIED)
 	@printf '%s\n' $^ | xargs -P $(JOBS) -I{} $(TIDY) --quiet {} -- $(filter-out -MD -MP,$(OUR_CPPFLAGS)) $(FEATURE_CPPFLAGS) \
 	  $(CPPFLAGS) -std=c++20 $(filter -ffp%,$(NUMERIC))
 
-# One test file: this and the folder that it tests are all that an edit of them compiles.
+# One test file: this and the folder that it tests are all that an edit of them compiles. Programs that it runs are
+# brought up to date.
 .PHONY: unit night tidy asan tsan fuzz fuzz-targets fuzz-scenes
 UNIT := $(BUILD)/unit/$(basename $(firstword $(wildcard tests/$(T).cpp $(T).cpp)))
 unit:
 	@[ "$(T)" ] || { echo "which test? For tests/R3/Csg.cpp: make unit T=R3/Csg" >&2; exit 1; }
 	@[ -f "$(UNIT:$(BUILD)/unit/%=%).cpp" ] || { echo "there is no tests/$(T).cpp" >&2; exit 1; }
-	@$(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) $(UNIT)
+	@$(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) $(UNIT) \
+	  $(if $(shell grep -sE '/(Program|Place|Rayimg)\.h"|getenv' $(UNIT:$(BUILD)/unit/%=%).cpp),$(PROGRAMS))
 	$(FOR_TESTS) $(UNIT) $(GTEST)
 
 # g++ says itself that its sanitizers make it warn of variables that it takes for uninitialized, and that ThreadSanitizer

@@ -12,13 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Contributing, EveryScriptRunsAndMakeKnowsEveryTargetItLists) {
+TEST(Contributing, EveryScriptRunsAndEveryListedCommandExists) {
   if (!std::getenv("RAYPRO") || !std::getenv("RAYIMG")) GTEST_SKIP() << "RAYPRO or RAYIMG is not set";
   const std::string command = "'" + (project::Root() / "tests/scripts.sh").string() + "'";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
 }
 
-TEST(Contributing, ItsExampleShapeRendersAndItsCommandsExist) {
+TEST(Contributing, ItsExampleShapeRenders) {
   const char* const program = std::getenv("RAYPRO");
   const fs::path root = project::Root();
   const fs::path build = program ? fs::path(program).parent_path().lexically_relative(root) : fs::path();

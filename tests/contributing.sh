@@ -1,6 +1,5 @@
 #!/bin/sh
-# Does what CONTRIBUTING.md says, in a copy of the tree: its shape is built and rendered, and every command of its table
-# and those of script/README.md is there to be run.
+# Does what CONTRIBUTING.md says, in a copy of the tree: its shape is built and rendered.
 #   usage: tests/contributing.sh BUILD   (the folder of a finished build, below the root of the tree)
 set -eu
 cd "$(dirname "$0")/.."
@@ -8,7 +7,6 @@ build=$1
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 page=CONTRIBUTING.md
-others=script/README.md
 
 fail() { echo "$page: $*" >&2; exit 1; }
 
@@ -20,17 +18,6 @@ block_after() {
     fenced { print }
   ' "$page"
 }
-
-# Commands of the first column: targets that make knows, scripts that can be run.
-sed -n '/^| command/,/^$/s/^| \(`.*`\) |.*/\1/p' "$page" "$others" | tr '`' '\n' | grep -E '^(make|script/|tests/|\.ci/)' > "$copy/commands"
-[ -s "$copy/commands" ] || fail "no table of commands"
-while read -r program rest; do
-  case $program in
-    # Fuzzing takes clang, which may be missing; the target is there all the same.
-    make) make -n BUILD="$build" FUZZ_CXX="${CXX:-g++}" ${rest%% *} > /dev/null 2>&1 || fail "make $rest cannot be made" ;;
-    *) [ -x "$program" ] || fail "$program cannot be run" ;;
-  esac
-done < "$copy/commands"
 
 # What is built already is not built again: only what knows of shapes.
 mkdir -p "$copy/tree/$build"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs every script of script/, as little as it can do, or names what else runs it; and asks make for every target that
-# the Makefile lists. Prints what fails. RAYPRO_NIGHT=1 runs those as well that take long.
+# Runs every script of script/, as little as it can do, or names what else runs it; and looks for every command and
+# target that pages and the Makefile list. Prints what fails. RAYPRO_NIGHT=1 runs those as well that take long.
 #   usage: tests/scripts.sh [name ...]      RAYPRO, RAYIMG, RAYVIEW and RAYTESTS name the programs
 set -eu
 cd "$(dirname "$0")/.."
@@ -77,7 +77,16 @@ done < "$work/table"
 [ $# = 0 ] || exit $failed
 
 [ -z "${RAYPRO_NIGHT-}" ] || try sh tests/fresh/install.sh "$build"
-for target in $(sed -n 's/^#   make \([-a-z]*\).*/\1/p' Makefile); do
-  try make -n BUILD="$build" FUZZ_CXX="${CXX:-g++}" T=R3/Csg "$target"
-done
+# Commands of the first column of a table, and the list of the Makefile: targets that make knows, files that can be run.
+make -pq BUILD="$build" nothing 2> /dev/null | sed -n 's/^\([a-z][-a-z]*\):.*/\1/p' > "$work/targets" || true
+sed -n '/^| command/,/^$/s/^| \(`.*`\) |.*/\1/p' CONTRIBUTING.md script/README.md docs/building.md | tr '`' '\n' |
+  grep -E '^(make|script/|tests/|\.ci/)' > "$work/commands"
+sed -n 's/^#   \(make [-a-z]*\).*/\1/p' Makefile >> "$work/commands"
+[ "$(wc -l < "$work/commands")" -gt 40 ] || fail "no tables of commands"
+while read -r program target rest; do
+  case $program in
+    make) [ -z "$target" ] || grep -qx -e "$target" "$work/targets" || fail "make $target is no target" ;;
+    *) [ -x "$program" ] || fail "$program cannot be run" ;;
+  esac
+done < "$work/commands"
 exit $failed

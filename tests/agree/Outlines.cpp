@@ -56,7 +56,7 @@ R3::Matrix Squeezed(Draw& draw, double powers) {
 TEST(Outlines, OfTransformedShapesAgreeForEveryAccelerator) {
   const auto ways = EveryWay();
   const auto kinds = BoundedShapeKinds();
-  for (int seed = 0; seed < Count(24, 4000); ++seed) {
+  for (int seed = 0; seed < Count(12, 4000); ++seed) {
     Draw draw(static_cast<std::uint64_t>(seed) + 2100);
     const double powers = draw.Whole(0, 1) ? 0 : draw.Between(0, 9), far = draw.Whole(0, 2) ? 0 : draw.Scale(0, 7);
     ray::Scene scene;

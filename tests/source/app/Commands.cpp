@@ -1,8 +1,11 @@
-// What the programs answer to the commands that users of other renderers, and of the course's, type first. The commands
-// and their answers are in tests/app/commands.txt, which RAYTESTS_RECORD=1 writes anew: read what has changed.
+// What the programs answer to commands: in commands.txt of tests/app those that users of other renderers, and of the
+// course's, type first, in options.txt and rayimg.txt those that are wrong, in warnings.txt those that may be no mistake, in
+// files.txt those whose files are. RAYTESTS_RECORD=1 writes the answers anew: read what has changed.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
@@ -21,14 +24,24 @@ namespace fs = std::filesystem;
 constexpr const char* prompt = "$ ";
 constexpr const char* output_mark = "  | ";
 constexpr const char* error_mark = "  ! ";
+constexpr const char* file_mark = "  + ";  // what a command that failed leaves behind
 constexpr const char* header =
-    "# Commands, exit statuses, and the first lines on standard error (!) and standard output (|), recorded with\n"
-    "# RAYTESTS_RECORD=1 build/raytests --gtest_filter=Commands.*\n";
+    "# Commands, exit statuses, the first lines on standard error (!) and standard output (|), and files that those which\n"
+    "# fail leave behind (+), recorded with RAYTESTS_RECORD=1 build/raytests --gtest_filter=Commands.*\n";
 constexpr std::size_t most_lines = 6;  // of each stream; long answers are tested elsewhere
 
-std::string DataFile() { return (project::Root() / "tests/app/commands.txt").string(); }
+constexpr std::array transcripts{"commands.txt", "options.txt", "rayimg.txt", "warnings.txt", "files.txt"};
+std::string DataFile(const std::string& name) { return (project::Root() / "tests/app" / name).string(); }
 
-/// A folder as a newcomer may have it.
+void WriteImage(const std::string& file, int width, int height, float level) {
+  R2::Image image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) image.Set(x, y, {level, level, level});
+  const auto bytes = R2::FormatForName(file)->encode(image, {}, {});
+  WriteFile(file, {bytes.begin(), bytes.end()});
+}
+
+/// A folder as a newcomer may have it, and images of every kind, sound and broken.
 struct Folder : TemporaryFolder {
   Folder() {
     const std::string scene = "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\npoint_light 1 1 1  3 4 5  1 0 0\n";
@@ -36,7 +49,18 @@ struct Folder : TemporaryFolder {
     WriteFile(*this / "other.scn", scene + "box -1  -1 -1 -1  1 1 1\n");
     WriteFile(*this / "wrong.scn", scene + "spere -1  0 0 0  1\ntriangle -1  0 0 0  1 0 0  0 1 0\n");
     fs::create_directory(*this / "images");
+    WriteImage(*this / "a.png", 4, 4, 0.5f);
+    WriteImage(*this / "small.png", 2, 4, 0);
+    WriteImage(*this / "light.pfm", 4, 4, 0);
+    WriteImage(*this / "frame.jpg", 4, 4, 0.5f);
+    WriteImage(*this / "wide.jpg", 6, 4, 0.5f);
+    WriteFile(*this / "text.png", "this is no image\n");
+    WriteFile(*this / "empty.exr", "");
+    WriteFile(*this / "cut.pfm", ReadFile(*this / "light.pfm").substr(0, 60));
+    WriteFile(*this / "huge.pfm", "PF\n1000000 1000000\n-1\n");
+    for (const auto& entry : fs::directory_iterator(Path())) known.push_back(entry.path().filename());
   }
+  std::vector<std::string> known;
 };
 
 /// The first lines, each behind its mark. Times and speeds are not the same twice, nor is what a build is made of.
@@ -63,13 +87,19 @@ std::string Answer(const std::string& command) {
       std::system(("cd '" + place.Path().string() + "' && PATH='" + aside / "bin" + "':$PATH TERM=dumb sh '" +
                    aside / "command" + "' >'" + aside / "output" + "' 2>'" + aside / "error" + "' </dev/null")
                       .c_str());
-  return prompt + command + "\n  " + std::to_string(WEXITSTATUS(ended)) + "\n" +
-         Shown(ReadFile(aside / "error"), error_mark) + Shown(ReadFile(aside / "output"), output_mark);
+  const int status = WEXITSTATUS(ended);
+  std::vector<std::string> files = place.Others(place.known);
+  std::ranges::sort(files);
+  std::string left;
+  if (status)
+    for (const std::string& file : files) left += file_mark + file + "\n";
+  return prompt + command + "\n  " + std::to_string(status) + "\n" + Shown(ReadFile(aside / "error"), error_mark) +
+         Shown(ReadFile(aside / "output"), output_mark) + left;
 }
 
 /// The answers of the file, each beginning with its command.
-std::vector<std::string> Recorded() {
-  std::istringstream lines(ReadFile(DataFile()));
+std::vector<std::string> Recorded(const std::string& name) {
+  std::istringstream lines(ReadFile(DataFile(name)));
   std::vector<std::string> answers;
   for (std::string line; std::getline(lines, line);)
     if (line.starts_with(prompt))
@@ -90,21 +120,33 @@ TEST(Commands, AreAnsweredAsRecorded) {
   NEEDS_RAYVIEW();
   if (!R2::FormatForName("a.exr") || !Has(RunProgram({"-list", "scenes"}).output, ".yaml"))
     GTEST_SKIP() << "answers that list formats are recorded with OpenEXR and yaml-cpp";
-  const std::vector<std::string> recorded = Recorded();
-  EXPECT_GE(recorded.size(), 60u);
-  std::string all;
-  for (const std::string& answer : recorded) {
-    const std::string now = Answer(CommandOf(answer));
-    EXPECT_EQ(now, answer);
-    all += now;
+  for (const char* name : transcripts) {
+    const std::vector<std::string> recorded = Recorded(name);
+    EXPECT_GE(recorded.size(), 20u) << name;
+    std::string all;
+    for (const std::string& answer : recorded) {
+      const std::string now = Answer(CommandOf(answer));
+      EXPECT_EQ(now, answer);
+      all += now;
+    }
+    if (std::getenv("RAYTESTS_RECORD")) WriteFile(DataFile(name), header + all);
   }
-  if (std::getenv("RAYTESTS_RECORD")) WriteFile(DataFile(), header + all);
 }
 
 // Whoever looks at the exit status alone must not take an answer for an image.
+// One line, on standard error alone, says what is wrong.
+TEST(Commands, ThatAreWrongAreToldSoInOneLine) {
+  for (const char* name : {"options.txt", "rayimg.txt"})
+    for (const std::string& answer : Recorded(name)) {
+      EXPECT_FALSE(Has(answer, "\n  0\n")) << answer;
+      EXPECT_EQ(std::count(answer.begin(), answer.end(), '\n'), 3) << answer;
+      EXPECT_TRUE(Has(answer, std::string("\n") + error_mark)) << answer;
+    }
+}
+
 TEST(Commands, SucceedOnlyWithAnImageUnlessWordsWereAskedFor) {
   const std::regex asks_for_words(" (-h|-?-help|-?-version|-list|-check|-info|-debugpixel|-complete|-man)\\b|^rayimg");
-  for (const std::string& answer : Recorded()) {
+  for (const std::string& answer : Recorded("commands.txt")) {
     const bool succeeds = Has(answer, "\n  0\n");
     const bool has_image = Has(answer, " spp TIME") || Has(answer, "> out.png");
     EXPECT_TRUE(!succeeds || has_image || std::regex_search(CommandOf(answer), asks_for_words)) << answer;

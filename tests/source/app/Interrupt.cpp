@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 TEST(Extremes, L5_ASignalEndsTheRunAndSavesTheImage) {
   NEEDS_THE_PROGRAM();
   std::mt19937 random(2);
-  const int rounds = Rounds("RAYTESTS_SIGNALS", 8);
+  const int rounds = Rounds("RAYTESTS_SIGNALS", 4);
   constexpr std::array<std::pair<int, const char*>, 4> signals{
       {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}, {SIGXCPU, "SIGXCPU"}}};
   int early = 0;  // on a busy machine, before anything was rendered

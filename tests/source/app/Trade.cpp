@@ -48,8 +48,6 @@ TEST(TradeWords, AFilterHasANameAndTheCoursesNumber) {
     EXPECT_EQ(Parsed({"-filter", filter_names[i]}).render.filter, static_cast<FilterKind>(i));
     EXPECT_EQ(Parsed({"-filter", std::to_string(i)}).render.filter, static_cast<FilterKind>(i));
   }
-  for (const char* word : {"4", "-1", "1.5", "", "Mitchell", "mitchel", "box "})
-    EXPECT_TRUE(Has(ErrorOf({"-filter", word}), "-filter")) << word;
 }
 
 TEST(TradeWords, LayersBesideADenoisedImageAreLeftAsTheyAre) {
@@ -63,26 +61,15 @@ TEST(TradeWords, DenoiseNeedsLightSamplesAndTimeThatItKnows) {
   EXPECT_EQ(ErrorOf({"-denoise", "-error", "2"}), "");
   EXPECT_EQ(
       ErrorOf({"-denoise", "-samples", "16", "-mode", "path", "-bytes", "truncated", "-crop", "0", "0", "4", "4"}), "");
-  EXPECT_EQ(ErrorOf({"-denoise"}), "-denoise needs -samples 2 or more, -error or -time");
-  EXPECT_EQ(ErrorOf({"-denoise", "-samples", "4", "-mode", "heat"}),
-            "-denoise has no effect with -mode heat; it is for whitted and path");
   for (const List& budget : {List{"-time", "1s"}, {"-samples", "4", "-time", "1s"}, {"-time", "1s", "-error", "2"}})
     EXPECT_EQ(ErrorOf(With({"-denoise"}, budget)), "");
-  EXPECT_TRUE(Has(ErrorOf({"-denoise", "-samples", "4", "-sampler", "grid"}), "-denoise"));
 }
 
-TEST(TradeWords, NeighborsExcludeBudgetsAndGridsNeedSquareCounts) {
-  const std::string refused =
-      "-adaptive neighbors takes one sample or all of them; it cannot be combined with -time, -error or -denoise";
+TEST(TradeWords, NeighborsAndGridsTakeSomeCounts) {
   EXPECT_EQ(ErrorOf({"-adaptive", "neighbors", "-samples", "4"}), "");
-  EXPECT_EQ(ErrorOf({"-adaptive", "neighbors", "-time", "1s"}), refused);
-  EXPECT_EQ(ErrorOf({"-adaptive", "neighbors", "-error", "2"}), refused);
   EXPECT_EQ(ErrorOf({"-sampler", "rotated_grid", "-samples", "12", "-shutter_samples", "3"}), "");
-  EXPECT_EQ(ErrorOf({"-sampler", "rotated_grid", "-samples", "9", "-shutter_samples", "3"}),
-            "-samples 9: -sampler rotated_grid needs a square number times -shutter_samples 3, such as 3 or 12");
-  // Four times as many would be more than -samples takes.
-  EXPECT_EQ(ErrorOf({"-sampler", "grid", "-samples", "9", "-shutter_samples", "1500000000"}),
-            "-samples 9: -sampler grid needs a square number times -shutter_samples 1500000000, such as 1500000000");
+  EXPECT_EQ(ErrorOf({"-aperture", "0.1", "-focus", "3"}), "");
+  EXPECT_EQ(Parsed({"-reference", "a.exr,b.exr"}).files.reference, (List{"a.exr", "b.exr"}));
 }
 
 TEST(TradeWords, AnErrorHasAUnitBehindItsNumber) {
@@ -137,19 +124,6 @@ TEST(TradeWords, OptionsOverridePresetsInAnyOrder) {
   EXPECT_EQ(Parsed({"-quality", "final", "-max_depth", "3"}).render.trace.max_depth, 3);
   EXPECT_EQ(Parsed({"-quality", "final"}).render.trace.max_depth, 20);
   EXPECT_EQ(Parsed({"-quality", "custom"}).render.samples, 1);
-  EXPECT_TRUE(Has(ErrorOf({"-quality", "drafft"}), "did you mean 'draft'?"));
-}
-
-TEST(TradeWords, ContradictionsAreRefused) {
-  EXPECT_NE(ErrorOf({"-replay", "r.json", "-time", "3s"}), "");
-  EXPECT_NE(ErrorOf({"-replay", "r.json", "-error", "3"}), "");
-  EXPECT_NE(ErrorOf({"-mode", "heat", "-error", "3"}), "");
-  EXPECT_NE(ErrorOf({"-mode", "rays", "-error", "3"}), "");
-  EXPECT_NE(ErrorOf({"-aperture", "0.1"}), "");
-  EXPECT_EQ(ErrorOf({"-aperture", "0.1", "-focus", "3"}), "");
-  for (const char* word : {"", ",", "a,", ",a"}) EXPECT_NE(ErrorOf({"-reference", word}), "") << word;
-  EXPECT_EQ(Parsed({"-reference", "a.exr,b.exr"}).files.reference, (List{"a.exr", "b.exr"}));
-  for (const char* word : {"0", "-1", "some", "1.5", ""}) EXPECT_NE(ErrorOf({"-lights", word}), "") << word;
 }
 
 // From outside.
@@ -280,79 +254,6 @@ TEST(Time, TooShortForDenoisingWarnsAndReplaysSkipItToo) {
   EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
 }
 
-TEST(Replay, RefusesAnotherSceneOtherSettingsAndWhatIsNoReport) {
-  NEEDS_THE_PROGRAM();
-  const Place place;
-  ASSERT_EQ(place.Run("a.ppm", {"-samples", "4", "-report", place / "r.json"}).status, 0);
-  EXPECT_EQ(place.Run("b.ppm", {"-replay", place / "r.json"}).status, 0);
-  EXPECT_EQ(ReadFile(place / "a.ppm"), ReadFile(place / "b.ppm"));
-  EXPECT_EQ(place.Run("b.ppm", {"-replay", place / "r.json", "-samples", "4"}).status, 0);
-  const struct {
-    List words;
-    const char* message;
-  } others[] = {{{"-seed", "1"}, "-seed"},
-                {{"-filter", "gaussian"}, "-filter"},
-                {{"-mode", "path"}, "-mode"},
-                {{"-max_depth", "4"}, "-max_depth"},
-                {{"-shadow_samples", "3"}, "-shadow_samples"},
-                {{"-samples", "2"}, "was made with -samples 4, not 2"},
-                {{"-crop", "0", "0", "4", "4"}, "-crop"}};
-  for (const auto& [words, message] : others) {
-    const Finished done = place.Run("c.ppm", With({"-replay", place / "r.json"}, words));
-    EXPECT_NE(done.status, 0) << message;
-    EXPECT_TRUE(Has(done.error, message)) << done.error;
-  }
-  const std::string report = ReadFile(place / "r.json");
-  for (const std::string& bad : {std::string(""), std::string("{"), std::string("[]"), std::string("hello"),
-                                 report.substr(0, report.size() / 2)}) {
-    WriteFile(place / "bad.json", bad);
-    const Finished done = place.Run("c.ppm", {"-replay", place / "bad.json"});
-    EXPECT_EQ(done.status, 3) << bad;
-    EXPECT_TRUE(Has(done.error, "cannot be replayed: it is not ")) << done.error;
-  }
-  EXPECT_EQ(place.Run("c.ppm", {"-replay", place / "missing.json"}).status, 3);
-  WriteFile(place / "in.scn", soft_scene + "sphere -1  3 0 0  0.1\n");
-  const Finished other = place.Run("c.ppm", {"-replay", place / "r.json"});
-  EXPECT_NE(other.status, 0);
-  EXPECT_TRUE(Has(other.error, "different scene")) << other.error;
-  EXPECT_EQ(place.Others({"in.scn", "a.ppm", "b.ppm", "r.json", "bad.json"}), List{});
-}
-
-// A report edited by hand once was read past the end of its list.
-TEST(Replay, RefusesAReportWithTheWrongBlocks) {
-  NEEDS_THE_PROGRAM();
-  const Place place;
-  ASSERT_EQ(place.Run("a.ppm", {"-samples", "4", "-report", place / "r.json"}).status, 0);
-  const std::string report = ReadFile(place / "r.json"), none = "\"of_blocks\": []";
-  ASSERT_TRUE(Has(report, none));
-  for (const char* list : {"[1, 2]", "[-1, 2, 3]", "[1e12]", "[\"x\"]", "[0]"}) {
-    std::string edited = report;
-    edited.replace(edited.find(none), none.size(), std::string("\"of_blocks\": ") + list);
-    WriteFile(place / "r.json", edited);
-    const Finished done = place.Run("b.ppm", {"-replay", place / "r.json"});
-    EXPECT_EQ(done.status, 3) << list << done.error;
-    EXPECT_TRUE(Has(done.error, "cannot be replayed")) << done.error;
-  }
-}
-
-// It once ended well, without a picture.
-TEST(Replay, RefusesAReportOfNoSamples) {
-  NEEDS_THE_PROGRAM();
-  const Place place;
-  ASSERT_EQ(place.Run("a.ppm", {"-report", place / "r.json"}).status, 0);
-  const std::string report = ReadFile(place / "r.json");
-  for (const char* count : {"\"end\": 1", "\"planned_samples\": 1"}) {
-    ASSERT_TRUE(Has(report, count));
-    std::string edited = report;
-    for (std::size_t at = edited.find(count); at != std::string::npos; at = edited.find(count))
-      edited.replace(at + std::strlen(count) - 1, 1, "0");
-    WriteFile(place / "bad.json", edited);
-    const Finished done = place.Run("b.ppm", {"-replay", place / "bad.json"});
-    EXPECT_EQ(done.status, 3) << count;
-    EXPECT_TRUE(Has(done.error, "it has no samples")) << done.error;
-  }
-}
-
 // The JSON library words a value by recursion: a report nested so deep once overflowed the stack while its error was
 // being written.
 TEST(Replay, RefusesAReportNestedWithoutEnd) {
@@ -417,23 +318,6 @@ TEST(InputsOfTheCommandLine, AreNeverOverwritten) {
   }
 }
 
-TEST(Reference, MustBeAPictureOfTheSameSize) {
-  NEEDS_THE_PROGRAM();
-  const Place place;
-  ASSERT_EQ(place.Run("a.pfm", {"-samples", "4", "-crop", "1", "2", "9", "12"}).status, 0);
-  const Finished wrong = place.Run("b.ppm", {"-reference", place / "a.pfm"});
-  EXPECT_EQ(wrong.status, 2);
-  EXPECT_TRUE(Has(wrong.error, "is 8x10, the image 40x30")) << wrong.error;
-  EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "missing.pfm"}).status, 3);
-  EXPECT_EQ(place.Run("b.ppm", {"-reference", place / "in.scn"}).status, 3);
-  EXPECT_EQ(place.Others({"in.scn", "a.pfm"}), List{});
-  // What is compared is this crop, and a render of the same samples has no error at all.
-  const Finished right = RunProgram({place / "in.scn", place / "b.pfm", "-width", "40", "-height", "30", "-samples",
-                                     "4", "-crop", "1", "2", "9", "12", "-reference", place / "a.pfm"});
-  EXPECT_EQ(right.status, 0) << right.error;
-  EXPECT_TRUE(Has(right.output, "true error 0/255")) << right.output;
-}
-
 TEST(Reference, ASecondOneIsAnotherFile) {
   NEEDS_THE_PROGRAM();
   const Place place;
@@ -443,19 +327,6 @@ TEST(Reference, ASecondOneIsAnotherFile) {
   EXPECT_TRUE(Has(same.error, "are the same file")) << same.error;
   ASSERT_EQ(place.Run("c.pfm", {"-seed", "1"}).status, 0);
   EXPECT_EQ(place.Run("b.pfm", {"-reference", (place / "a.pfm") + "," + (place / "c.pfm")}).status, 0);
-}
-
-// The report of one render once was where the next one looks for a checkpoint, and refused to render.
-TEST(Report, IsNoFileThatARenderWritesBesidesThePicture) {
-  NEEDS_THE_PROGRAM();
-  const Place place;
-  EXPECT_EQ(place.Run("a.ppm", {"-report", "-"}).status, 2);
-  for (const char* name : {"a.ppm.checkpoint", "a.partial.ppm.checkpoint", "a.partial.ppm", "a.depth.ppm"}) {
-    const Finished done = place.Run("a.ppm", {"-report", place / name, "-layers", "depth"});
-    EXPECT_EQ(done.status, 2) << name;
-    EXPECT_TRUE(Has(done.error, "the report cannot be")) << done.error;
-  }
-  EXPECT_EQ(place.Others({"in.scn"}), List{});
 }
 
 std::string Pfm(int width, int height, float value) {

@@ -24,14 +24,6 @@ TEST(Raypro, MakesAPictureAndSaysSoInOneLine) {
   EXPECT_EQ(place.Others({"in.scn", "out.png"}), nothing);
 }
 
-TEST(Raypro, QuietIsSilent) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place;
-  const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-quiet"});
-  EXPECT_EQ(done.status, 0);
-  EXPECT_EQ(done.output + done.error, "");
-}
-
 TEST(Raypro, ThePictureTellsHowItWasMade) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
@@ -280,54 +272,6 @@ TEST(Raypro, NoScenesImageReplacesWhatAnotherSceneReads) {
   }
 }
 
-TEST(Raypro, WhatIsSaidOfSeveralScenesNamesEach) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place;
-  const std::string last = WriteFile(place / "last.scn", small_scene);
-  const Finished done = RunProgram({place.Scene(), last, "-check", "-out_folder", place.Path()});
-  EXPECT_EQ(done.status, 0) << done.error;
-  EXPECT_TRUE(done.output.starts_with(place.Scene() + "\nfiles ")) << done.output;
-  EXPECT_TRUE(Has(done.output, "\n" + last + "\nfiles ")) << done.output;
-  const Finished without = RunProgram({place.Scene(), last, "-check"});
-  EXPECT_EQ(without.status, 2);
-  EXPECT_TRUE(Has(without.error, "several scenes need -out_folder")) << without.error;
-}
-
-TEST(Raypro, FailuresSetTheExitStatusAndLeaveNoFile) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place;
-  WriteFile(place / "bad.scn", "spere 0 0 0 1\n");
-  const struct {
-    std::vector<std::string> words;
-    int status;
-    const char* message;
-  } cases[] = {
-      {{}, 2, "no scene is named"},
-      {{"-"}, 2, "missing output file name"},
-      {{place.Scene(), place / "out.xyz"}, 2, ".png"},
-      {{place.Scene(), place / "out"}, 2, "extension"},
-      {{place.Scene(), place / "out.ppm", "-widht", "3"}, 2, "-width"},
-      {{place.Scene(), place / "out.ppm", "-samples", "0"}, 2, "-samples must be"},
-      {{place / "missing.scn", place / "out.ppm"}, 3, "missing.scn"},
-      {{place / "bad.scn", place / "out.ppm"}, 3, "bad.scn:1:1"},
-      {{place.Path().string(), place / "out.ppm"}, 3, ""},
-      {{"-info", place / "missing.png"}, 3, "missing.png"},
-      {{"-info", place.Scene()}, 3, "in.scn"},
-      {{place / "bad.scn", "-check"}, 3, "bad.scn:1:1"},
-      {{place / "bad.scn", "-debugpixel", "1", "2"}, 3, "bad.scn:1:1"},
-      {{place.Scene(), "-debugpixel", "256", "2"}, 2, "columns 0 to 255"},
-      {{place.Scene(), place / "missing/out.ppm"}, 4, "does not exist"},
-      {{place.Scene(), place / "out.ppm", "-report", place / "missing/r.json"}, 4, "does not exist"},
-  };
-  for (const auto& [words, status, message] : cases) {
-    const Finished done = RunProgram(words);
-    EXPECT_EQ(done.status, status) << done.error;
-    EXPECT_TRUE(Has(done.error, message)) << done.error;
-    EXPECT_EQ(done.output, "");
-    EXPECT_EQ(place.Others({"in.scn", "bad.scn"}), nothing) << done.error;
-  }
-}
-
 TEST(Raypro, DebugpixelWritesNoFile) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
@@ -340,127 +284,6 @@ TEST(Raypro, DebugpixelWritesNoFile) {
     EXPECT_NE(done.output, "");
   }
   EXPECT_EQ(place.Others({"in.scn"}), nothing);
-}
-
-TEST(Raypro, RequestsPrintToStandardOutputAndSucceed) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place;
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"-help"},
-                                                {"-help", "light"},
-                                                {"-version"},
-                                                {"-list"},
-                                                {"-list", "shapes"},
-                                                {"-man"},
-                                                {"-complete", "bash"},
-                                                {place.Scene(), "-check"},
-                                                {"nonsense", "-width", "abc", "-help"}}) {
-    const Finished done = RunProgram(words);
-    EXPECT_EQ(done.status, 0) << words[0] << done.error;
-    EXPECT_NE(done.output, "") << words[0];
-    EXPECT_EQ(done.error, "") << words[0];
-  }
-}
-
-// A package's build must not install half a manual page and call it done.
-TEST(Raypro, ARequestWhoseAnswerCannotBeWrittenFails) {
-  NEEDS_THE_PROGRAM();
-  EXPECT_EQ(RunProgram({"-man"}, {.standard_output = "/dev/full"}).status, 4);
-}
-
-TEST(Raypro, WarnsOnceOfWhatIsLikelyAMistake) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place("camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\n" + small_scene + "sphere -1  0 0 6  1\n");
-  const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8", "-quiet"});
-  EXPECT_EQ(done.status, 0);
-  EXPECT_EQ(done.error, place.Scene() + ":2:1: warning: the scene has a camera already; the last one counts\n" +
-                            place.Scene() + ": warning: the camera is inside 1 shape\n");
-}
-
-TEST(Raypro, WarnsOfOptionsThatDoNothing) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place;
-  const Finished done = RunProgram({place.Scene(), place / "out.ppm", "-bits", "16", "-max_depth", "1000000000"});
-  EXPECT_EQ(done.status, 0);
-  EXPECT_TRUE(Has(done.error, "warning: -bits has no effect unless the image is a PNG")) << done.error;
-  EXPECT_TRUE(Has(done.error, "warning: -max_depth 1000000000 exceeds the hard limit of 1000 bounces")) << done.error;
-}
-
-TEST(Raypro, WarnsWhenSamplesTakenDifferFromThoseAskedFor) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place;
-  const auto warnings = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> words{place.Scene(), place / "out.png", "-width", "16", "-height", "16", "-restart"};
-    words.insert(words.end(), more.begin(), more.end());
-    return RunProgram(words).error;
-  };
-  const std::string no_effect = "-samples has no effect with -time or -error unless it is 2 or more";
-  EXPECT_TRUE(Has(warnings({"-samples", "1", "-error", "8"}), no_effect));
-  EXPECT_TRUE(Has(warnings({"-samples", "3", "-denoise"}),
-                  "-samples 3: the error estimate compares two halves of the samples, so 2 are"));
-  EXPECT_FALSE(Has(warnings({"-samples", "3"}), "-samples"));
-  EXPECT_FALSE(Has(warnings({"-samples", "4", "-error", "8"}), "-samples"));
-}
-
-TEST(Raypro, ALensIsRefusedForProjectionsWithoutOne) {
-  NEEDS_THE_PROGRAM();
-  const std::string refusal = "-aperture has no effect with -projection latlong, which has no lens";
-  const SceneFolder plain, with_lens("set aperture .1\nset focus 5\n" + small_scene);
-  const auto said = [](const SceneFolder& place, std::vector<std::string> words) {
-    words.insert(words.begin(), {place.Scene(), place / "out.ppm", "-width", "8", "-height", "8", "-quiet"});
-    const Finished done = RunProgram(words);
-    EXPECT_EQ(done.status == 0, done.error.empty()) << done.error;
-    return done.error;
-  };
-  EXPECT_TRUE(Has(said(plain, {"-projection", "latlong", "-aperture", ".1", "-focus", "5"}), refusal));
-  const std::string both = said(with_lens, {"-projection", "latlong"});
-  EXPECT_TRUE(Has(both, refusal)) << both;
-  EXPECT_TRUE(Has(both, with_lens.Scene() + ":1:5")) << both;
-  EXPECT_EQ(said(with_lens, {"-projection", "latlong", "-aperture", "0"}).find("error"), std::string::npos);
-  for (const char* projection : {"fisheye", "cylinder", "orthographic"})
-    EXPECT_EQ(said(with_lens, {"-projection", projection}), "") << projection;
-}
-
-TEST(Raypro, WarnsOfOptionsForWantOfOthers) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place;
-  const struct {
-    std::vector<std::string> words;
-    std::string warning;
-  } cases[] = {
-      {{"-lens", "spiral", "-lens_samples", "3", "-aperture", ".1", "-focus", "3", "-samples", "16"},
-       "-lens_samples has no effect without -sampler grid\n"},
-      {{"-strategy", "uniform"}, "-strategy has no effect without -mode path\n"},
-      {{"-emission", "color"}, "-emission has no effect without -mode path\n"},
-      {{"-emissive_meshes", "whole", "-mode", "path"},
-       "-emissive_meshes has no effect without -mode whitted or -emission color\n"},
-      {{"-emissive_solids", "on", "-mode", "path"},
-       "-emissive_solids has no effect without -mode whitted or -emission color\n"},
-      {{"-confidence", ".99"}, "-confidence has no effect without -error, -time"},
-      {{"-mode", "normal", "-flare", "1"},
-       "-flare has no effect without a mode of light: whitted, path, gooch, toon or hatching\n"},
-      {{"-out_format", "ppm"}, "-out_format has no effect without -out_folder\n"},
-      {{"-accel", "none", "-accel_res", "3"}, "-accel_res has no effect with -accel none or graph\n"},
-      {{"-accel", "bvh", "-accel_res", "9"}, "-accel_res has no effect above 8 with -accel bvh\n"},
-      {{"-accel", "bvh", "-accel_depth", "9"}, "-accel_depth has no effect without -accel octree\n"},
-  };
-  for (const auto& [words, warning] : cases) {
-    const Finished done = RunProgram(With({place.Scene(), place / "out.ppm", "-width", "8", "-height", "8"}, words));
-    EXPECT_EQ(done.status, 0) << done.error;
-    EXPECT_TRUE(Has(done.error, "warning: " + warning)) << done.error;
-  }
-  const Finished used = RunProgram({place.Scene(), place / "out.ppm", "-width",     "8",         "-height",
-                                    "8",           "-mode",           "path",       "-strategy", "uniform",
-                                    "-accel",      "octree",          "-accel_res", "9",         "-accel_depth",
-                                    "4",           "-confidence",     ".9",         "-error",    "50"});
-  EXPECT_EQ(used.error, "");
-}
-
-TEST(Raypro, SizesBeyondTheFormatAreRefusedBeforeRendering) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place;
-  const Finished done = RunProgram({place.Scene(), place / "out.jpg", "-width", "70000", "-height", "1"});
-  EXPECT_EQ(done.status, 2) << done.error;
-  EXPECT_TRUE(Has(done.error, "jpeg")) << done.error;
 }
 
 TEST(Extremes, G4_SizesOverTheLimitAreRefusedBeforeAllocating) {

