@@ -1,6 +1,7 @@
-// What the programs answer to commands: in commands.txt of tests/app those that users of other renderers, and of the
-// course's, type first, in options.txt and rayimg.txt those that are wrong, in warnings.txt those that may be no mistake, in
-// files.txt those whose files are. RAYTESTS_RECORD=1 writes the answers anew: read what has changed.
+// What the programs answer to commands. Files of tests/app have the commands and their answers: commands.txt those
+// that users of other renderers, and of the course's, type first; options.txt and rayimg.txt wrong ones; warnings.txt
+// likely mistakes; files.txt commands with the wrong files; scenes.txt scenes. RAYTESTS_RECORD=1 writes the answers
+// anew: read what has changed.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -26,11 +27,13 @@ constexpr const char* output_mark = "  | ";
 constexpr const char* error_mark = "  ! ";
 constexpr const char* file_mark = "  + ";  // what a command that failed leaves behind
 constexpr const char* header =
-    "# Commands, exit statuses, the first lines on standard error (!) and standard output (|), and files that those which\n"
-    "# fail leave behind (+), recorded with RAYTESTS_RECORD=1 build/raytests --gtest_filter=Commands.*\n";
+    "# Commands, exit statuses, the first lines on standard error (!) and standard output (|), and files that\n"
+    "# commands which fail leave behind (+), recorded with\n"
+    "# RAYTESTS_RECORD=1 build/raytests --gtest_filter=Commands.*\n";
 constexpr std::size_t most_lines = 6;  // of each stream; long answers are tested elsewhere
 
-constexpr std::array transcripts{"commands.txt", "options.txt", "rayimg.txt", "warnings.txt", "files.txt"};
+constexpr std::array transcripts{"commands.txt", "options.txt", "rayimg.txt",
+                                 "warnings.txt", "files.txt",   "scenes.txt"};
 std::string DataFile(const std::string& name) { return (project::Root() / "tests/app" / name).string(); }
 
 void WriteImage(const std::string& file, int width, int height, float level) {
@@ -63,11 +66,15 @@ struct Folder : TemporaryFolder {
   std::vector<std::string> known;
 };
 
-/// The first lines, each behind its mark. Times and speeds are not the same twice, nor is what a build is made of.
-std::string Shown(const std::string& text, const std::string& mark) {
-  static const std::regex times(R"([0-9.]+ s [0-9.]+ Mrays/s)"),
-      build(R"(raypro \d+\.\d+\.\d+(\nbuilt from: [^\n]*)?|built with: [^\n]*)");
-  std::istringstream lines(std::regex_replace(std::regex_replace(text, times, "TIME"), build, "BUILD"));
+/// Returns the first lines, each behind its mark. Times and speeds are not the same twice, nor is what a build is made
+/// of, and a new command changes no answer.
+std::string Shown(std::string text, const std::string& mark) {
+  static const std::pair<std::regex, const char*> varying[] = {
+      {std::regex(R"([0-9.]+ s [0-9.]+ Mrays/s)"), "TIME"},
+      {std::regex(R"(raypro \d+\.\d+\.\d+(\nbuilt from: [^\n]*)?|built with: [^\n]*)"), "BUILD"},
+      {std::regex("commands are [a-z_, ]+"), "commands are ALL"}};
+  for (const auto& [what, by] : varying) text = std::regex_replace(text, what, by);
+  std::istringstream lines(text);
   std::string shown;
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count)
