@@ -18,7 +18,7 @@ left_out="$([ -d ../shared ] || echo courses.sh) $(lacks patchelf tarball.sh)
 # The name of each, then its words, or "by" and the file that runs it, or "night" and its words.
 cat > "$work/table" <<END
 accelerator_choice.py night -width 8 -rounds 1 implicit
-advice.py $RAYPRO $work/white.scn
+advice.py night $RAYPRO $work/white.scn
 art.sh night -small glass
 check_dist.sh night
 check_functions.sh by tests/R1/Elementary.cpp
