@@ -46,27 +46,18 @@ HWY_INLINE SphereMask TestSphereLanes(const RoundedSphere& sphere, const Packet&
   const PacketFloats f;
   using V = hn::Vec<PacketFloats>;
   const auto set = [&](float x) { return hn::Set(f, x); };
-  const auto minus = [](V p, V q, V r, V s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
-  const auto dot = [](V px, V py, V pz, V qx, V qy, V qz) {
-    return hn::MulAdd(px, qx, hn::MulAdd(py, qy, hn::Mul(pz, qz)));
-  };
   constexpr float rounding = 16 * u;
   SphereMask mask;
   for (std::size_t i = 0; i < packet_size; i += hn::Lanes(f)) {
-    const auto from_center = [&](int axis) {
-      return hn::Sub(hn::Load(f, packet.origin[axis] + i), set(sphere.center[axis]));
-    };
-    const V fx = from_center(0), fy = from_center(1), fz = from_center(2);
-    const V dx = hn::Load(f, packet.direction[0] + i), dy = hn::Load(f, packet.direction[1] + i),
-            dz = hn::Load(f, packet.direction[2] + i);
-    const V cx = minus(fy, dz, fz, dy), cy = minus(fz, dx, fx, dz), cz = minus(fx, dy, fy, dx);
-    const V distance = dot(cx, cy, cz, cx, cy, cz), square = dot(dx, dy, dz, dx, dy, dz);
+    const Vec3<PacketFloats> from_center = LoadEach(f, packet.origin, i) - Broadcast(f, sphere.center);
+    const Vec3<PacketFloats> direction = LoadEach(f, packet.direction, i), moment = Cross(from_center, direction);
+    const V distance = Dot(moment, moment), square = Dot(direction, direction);
     const V error = hn::Mul(hn::Load(f, packet.plane_error + i), set(6));
     const V slack = hn::Mul(error, hn::Add(error, set(7 * sphere.radius)));
     const V reach = hn::Mul(set(sphere.radius * sphere.radius), square);
     mask.maybe |= Bits(f, hn::Not(hn::Gt(distance, hn::Mul(hn::Add(reach, slack), set(1 + rounding))))) << i;
     if constexpr (any) {
-      const V ahead = hn::Neg(dot(fx, fy, fz, dx, dy, dz));
+      const V ahead = hn::Neg(Dot(from_center, direction));
       const V farthest = hn::MulAdd(set(sphere.radius), hn::Sqrt(square), hn::Add(ahead, error));
       const auto is_met = hn::Lt(hn::Mul(hn::Add(distance, slack), set(1 + rounding)), reach);
       const auto is_before = hn::Lt(hn::Mul(farthest, set(1 + rounding)), hn::Mul(hn::Load(f, limit + i), square));

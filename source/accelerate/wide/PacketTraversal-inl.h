@@ -259,14 +259,14 @@ class PacketTraversal {
       const Lanes d;
       for (std::size_t k = 0; k < width; k += hn::Lanes(d)) {
         const TriangleLanes<Lanes> t = LoadTriangles(d, block, k);
-        const Floats all[] = {t.edge1_x,  t.edge1_y,  t.edge1_z,  t.edge2_x, t.edge2_y, t.edge2_z,
-                              t.normal_x, t.normal_y, t.normal_z, t.edges,   t.area};
+        const Floats all[] = {t.edge1.x,  t.edge1.y,  t.edge1.z,  t.edge2.x, t.edge2.y, t.edge2.z,
+                              t.normal.x, t.normal.y, t.normal.z, t.edges,   t.area};
         for (std::size_t n = 0; n < 11; ++n) hn::Store(all[n], d, numbers[n] + k);
       }
     }
     HWY_INLINE TriangleLanes<PacketFloats> Broadcast(int k) const {
       const auto set = [&](int n) { return hn::Set(PacketFloats(), numbers[n][k]); };
-      return {set(0), set(1), set(2), set(3), set(4), set(5), set(6), set(7), set(8), set(9), set(10)};
+      return {{set(0), set(1), set(2)}, {set(3), set(4), set(5)}, {set(6), set(7), set(8)}, set(9), set(10)};
     }
   };
 
@@ -284,19 +284,13 @@ class PacketTraversal {
                                std::size_t i, std::uint32_t rays) {
     const PacketFloats f;
     const auto load = [&](const FloatEach& each) { return hn::Load(f, each + i); };
-    const auto to_corner = [&](int axis) {
-      return hn::Sub(hn::Set(f, block.corner[axis][k]), load(packet_.origin[axis]));
-    };
+    const float corner[] = {block.corner[0][k], block.corner[1][k], block.corner[2][k]};
+    const Vec3<PacketFloats> to_corner = Broadcast(f, corner) - LoadEach(f, packet_.origin, i);
     const auto limit = load(packet_.limit);
-    const RayLanes<PacketFloats> ray{load(packet_.direction[0]),
-                                     load(packet_.direction[1]),
-                                     load(packet_.direction[2]),
-                                     load(packet_.certain_from),
-                                     load(packet_.edge_error),
-                                     load(packet_.height_error),
-                                     limit};
+    const RayLanes<PacketFloats> ray{LoadEach(f, packet_.direction, i), load(packet_.certain_from),
+                                     load(packet_.edge_error), load(packet_.height_error), limit};
     TriangleMask<PacketFloats> mask;
-    if (!TestLanes(f, triangle, to_corner(0), to_corner(1), to_corner(2), ray, mask)) return;
+    if (!TestLanes(f, triangle, to_corner, ray, mask)) return;
     const std::uint32_t maybe = Bits(f, mask.maybe) << i & rays;
     if constexpr (any) {
       const auto is_before = hn::Lt(mask.farthest, load(limit_for_certain_));

@@ -18,6 +18,7 @@
 
 #include "R3/Departure.h"
 #include "source/accelerate/twolevel/TwoLevel.h"
+#include "source/accelerate/wide/Vec3-inl.h"
 
 // Traversal is watertight and conservative: where single precision may err, it errs on the side of testing once more in
 // double precision. All coordinates are the structure's, so at most 1 in boxes and triangles; directions are scaled so
@@ -39,7 +40,6 @@ HWY_BEFORE_NAMESPACE();
 namespace ray {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<float, width>;
 using Floats = hn::Vec<Lanes>;
 

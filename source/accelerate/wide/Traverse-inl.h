@@ -22,20 +22,14 @@ using wide::Tree;
 
 /// A traversal ray as the slab test of eight boxes wants it: in registers during traversal.
 struct NodeRay {
-  Floats inverse_x, inverse_y, inverse_z, near_x, near_y, near_z, far_x, far_y, far_z;
+  Vec3<Lanes> inverse, near, far;
   std::int64_t x, y, z;  // the near planes in Node::plane, in floats
 
   template <typename RayInBoxes>
   HWY_INLINE explicit NodeRay(const RayInBoxes& p)
-      : inverse_x(hn::Set(Lanes(), p.inverse[0])),
-        inverse_y(hn::Set(Lanes(), p.inverse[1])),
-        inverse_z(hn::Set(Lanes(), p.inverse[2])),
-        near_x(hn::Set(Lanes(), p.near_shift[0])),
-        near_y(hn::Set(Lanes(), p.near_shift[1])),
-        near_z(hn::Set(Lanes(), p.near_shift[2])),
-        far_x(hn::Set(Lanes(), p.far_shift[0])),
-        far_y(hn::Set(Lanes(), p.far_shift[1])),
-        far_z(hn::Set(Lanes(), p.far_shift[2])),
+      : inverse(Broadcast(Lanes(), p.inverse)),
+        near(Broadcast(Lanes(), p.near_shift)),
+        far(Broadcast(Lanes(), p.far_shift)),
         x(p.DownwardMask(0) & width),
         y((p.DownwardMask(1) & width) + 2 * width),
         z((p.DownwardMask(2) & width) + 4 * width) {}
@@ -47,13 +41,13 @@ struct NodeRay {
     constexpr std::int64_t other = width;  // low and high planes alternate: the far one is next door
     std::uint32_t reached = 0;
     for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {
-      const auto at = [&](std::int64_t plane, Floats inverse, Floats shift) {
-        return hn::MulSub(hn::Load(lanes, planes + i + plane), inverse, shift);
+      const auto at = [&](std::int64_t plane, Floats slope, Floats shift) {
+        return hn::MulSub(hn::Load(lanes, planes + i + plane), slope, shift);
       };
-      const Floats entry = hn::Max(hn::Max(at(x, inverse_x, near_x), at(y, inverse_y, near_y)),
-                                   hn::Max(at(z, inverse_z, near_z), hn::Zero(lanes)));
-      const Floats exit = hn::Min(hn::Min(at(x ^ other, inverse_x, far_x), at(y ^ other, inverse_y, far_y)),
-                                  hn::Min(at(z ^ other, inverse_z, far_z), hn::Set(lanes, limit)));
+      const Floats entry = hn::Max(hn::Max(at(x, inverse.x, near.x), at(y, inverse.y, near.y)),
+                                   hn::Max(at(z, inverse.z, near.z), hn::Zero(lanes)));
+      const Floats exit = hn::Min(hn::Min(at(x ^ other, inverse.x, far.x), at(y ^ other, inverse.y, far.y)),
+                                  hn::Min(at(z ^ other, inverse.z, far.z), hn::Set(lanes, limit)));
       hn::Store(entry, lanes, entries + i);
       std::uint8_t bits[8] = {};
       hn::StoreMaskBits(lanes, hn::Le(entry, exit), bits);

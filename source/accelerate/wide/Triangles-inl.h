@@ -18,38 +18,23 @@ namespace HWY_NAMESPACE {
 template <typename D>
 struct TriangleLanes {
   using V = hn::Vec<D>;
-  V edge1_x, edge1_y, edge1_z, edge2_x, edge2_y, edge2_z, normal_x, normal_y, normal_z;
+  Vec3<D> edge1, edge2, normal;
   V edges, area;  // sum and product of the edges' magnitudes
 };
 
 /// From the edges of the block's triangles.
 template <typename D>
 HWY_INLINE TriangleLanes<D> LoadTriangles(D d, const TriangleBlock& block, std::size_t first) {
-  using V = hn::Vec<D>;
-  const V ax = hn::Load(d, block.edge1[0] + first), bx = hn::Load(d, block.edge2[0] + first);
-  const V ay = hn::Load(d, block.edge1[1] + first), by = hn::Load(d, block.edge2[1] + first);
-  const V az = hn::Load(d, block.edge1[2] + first), bz = hn::Load(d, block.edge2[2] + first);
-  const auto minus = [](V p, V q, V r, V s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
-  const auto sum = [](V x, V y, V z) { return hn::Add(hn::Abs(x), hn::Add(hn::Abs(y), hn::Abs(z))); };
-  const V a = sum(ax, ay, az), b = sum(bx, by, bz);
-  return {ax,
-          ay,
-          az,
-          bx,
-          by,
-          bz,
-          minus(ay, bz, az, by),
-          minus(az, bx, ax, bz),
-          minus(ax, by, ay, bx),
-          hn::Add(a, b),
-          hn::Mul(a, b)};
+  const Vec3<D> edge1 = LoadEach(d, block.edge1, first), edge2 = LoadEach(d, block.edge2, first);
+  const auto a = SumOfAbs(edge1), b = SumOfAbs(edge2);
+  return {edge1, edge2, Cross(edge1, edge2), hn::Add(a, b), hn::Mul(a, b)};
 }
 
 /// Rays in lanes, one each or all the same.
 template <typename D>
 struct RayLanes {
-  using V = hn::Vec<D>;
-  V direction_x, direction_y, direction_z, certain_from, edge_error, height_error, limit;
+  Vec3<D> direction;
+  hn::Vec<D> certain_from, edge_error, height_error, limit;
 };
 
 /// Which lanes may hit, and where.
@@ -68,18 +53,12 @@ struct TriangleMask {
 ///   source      the edge functions of Moller, Trumbore, Fast, minimum storage ray/triangle intersection (1997),
 ///               undivided
 template <typename D, typename V = hn::Vec<D>>
-HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V cz, const RayLanes<D>& ray,
+HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, const Vec3<D>& to_corner, const RayLanes<D>& ray,
                           TriangleMask<D>& mask) {
   const auto set = [&](float x) { return hn::Set(d, x); };
-  const auto minus = [](V p, V q, V r, V s) { return hn::MulSub(p, q, hn::Mul(r, s)); };
-  const auto dot = [](V px, V py, V pz, V qx, V qy, V qz) {
-    return hn::MulAdd(px, qx, hn::MulAdd(py, qy, hn::Mul(pz, qz)));
-  };
-  const V dx = ray.direction_x, dy = ray.direction_y, dz = ray.direction_z;
-  const V rx = minus(cy, dz, cz, dy), ry = minus(cz, dx, cx, dz), rz = minus(cx, dy, cy, dx);
-  const V facing = dot(triangle.normal_x, triangle.normal_y, triangle.normal_z, dx, dy, dz);
-  const V v = dot(rx, ry, rz, triangle.edge2_x, triangle.edge2_y, triangle.edge2_z);
-  const V w = hn::Neg(dot(rx, ry, rz, triangle.edge1_x, triangle.edge1_y, triangle.edge1_z));
+  const Vec3<D> r = Cross(to_corner, ray.direction);
+  const V facing = Dot(triangle.normal, ray.direction);
+  const V v = Dot(r, triangle.edge2), w = hn::Neg(Dot(r, triangle.edge1));
   const V rest = hn::Sub(hn::Sub(facing, v), w);
   const V facing_error = hn::MulAdd(triangle.area, set(relative_facing_error), set(underflow_error));
   const V edge_error = hn::MulAdd(triangle.edges, ray.edge_error, facing_error);
@@ -88,7 +67,7 @@ HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, V cx, V cy, V c
   if (hn::AllFalse(d, maybe)) return false;
 
   // Edge-on, nothing is known of distances.
-  const V height = dot(triangle.normal_x, triangle.normal_y, triangle.normal_z, cx, cy, cz), steep = hn::Abs(facing);
+  const V height = Dot(triangle.normal, to_corner), steep = hn::Abs(facing);
   const V ahead = hn::Xor(height, hn::And(facing, hn::SignBit(d)));
   const V height_error = hn::MulAdd(triangle.area, ray.height_error, set(underflow_error));
   const auto is_clear = hn::Gt(steep, hn::Add(facing_error, facing_error));
@@ -129,18 +108,11 @@ HWY_INLINE void TestTriangles(const TriangleBlock& block, const RayInBoxes& ray,
   const auto set = [&](float x) { return hn::Set(d, x); };
   mask.maybe = mask.certain = 0;
   for (std::size_t i = 0; i < width; i += hn::Lanes(d)) {
-    const auto to_corner = [&](int axis) {
-      return hn::Sub(hn::Load(d, block.corner[axis] + i), set(ray.origin[axis]));
-    };
-    const RayLanes<Lanes> rays{set(ray.direction[0]),
-                               set(ray.direction[1]),
-                               set(ray.direction[2]),
-                               set(ray.certain_from),
-                               set(ray.edge_error),
-                               set(ray.height_error),
-                               set(limit)};
+    const RayLanes<Lanes> rays{Broadcast(d, ray.direction), set(ray.certain_from), set(ray.edge_error),
+                               set(ray.height_error), set(limit)};
+    const Vec3<Lanes> to_corner = LoadEach(d, block.corner, i) - Broadcast(d, ray.origin);
     TriangleMask<Lanes> lanes;
-    if (!TestLanes(d, LoadTriangles(d, block, i), to_corner(0), to_corner(1), to_corner(2), rays, lanes)) continue;
+    if (!TestLanes(d, LoadTriangles(d, block, i), to_corner, rays, lanes)) continue;
     hn::Store(lanes.nearest, d, mask.nearest + i);
     hn::Store(lanes.farthest, d, mask.farthest + i);
     mask.maybe |= Bits(d, lanes.maybe) << i;

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* red = "\033[1;31m";
 constexpr const char* yellow = "\033[1;33m";
 constexpr const char* green = "\033[1;32m";
-constexpr const char* plain = "\033[0m";
+constexpr const char* no_color = "\033[0m";
 
 bool IsSet(const char* variable) {
   const char* value = std::getenv(variable);
@@ -24,7 +24,7 @@ bool IsSet(const char* variable) {
 }
 
 std::string Painted(const std::string& line, std::size_t begin, std::size_t length, const char* color) {
-  return line.substr(0, begin) + color + line.substr(begin, length) + plain + line.substr(begin + length);
+  return line.substr(0, begin) + color + line.substr(begin, length) + no_color + line.substr(begin + length);
 }
 
 /// Where the caret of a line such as "      | ^~~~ did you mean" is; npos in any other.

@@ -22,6 +22,7 @@ struct Foreign {
 };
 
 constexpr std::array foreign{
+    Foreign{"triangle", "did you mean 'tri'? usage: tri mat_id x1 y1 z1 x2 y2 z2 x3 y3 z3"},
     Foreign{"obb", "use a box inside 'begin ... end' with a rotation"},
     Foreign{"group", "use 'begin mat_id', 16 matrix entries, ..., 'end'"},
     Foreign{"rect_light", "use an area_light, or two emissive triangles"},

@@ -72,7 +72,9 @@ TEST(Extremes, K6_OverflowIsAnErrorAndUnderflowIsNone) {
 
 TEST(Extremes, K6_TenThousandDigitsAreStillANumber) {
   EXPECT_EQ(Value("0." + std::string(10000, '3')), 1.0 / 3);
-  EXPECT_EQ(Value(std::string(10000, '0') + "7"), 7);
+  std::string seven(10000, '0');
+  seven += "7";
+  EXPECT_EQ(Value(seven), 7);
 }
 
 TEST(Extremes, K6_TheLocaleHasNoSay) {

@@ -23,6 +23,7 @@ RunStats ExampleStats() {
   stats.pixels_done = 3;
   stats.pixels_total = 4;
   stats.width = stats.height = 2;
+  stats.stop = Stop::request;
   stats.stopped_by = "SIGINT";
   stats.samples.mean = 1;
   return stats;
@@ -95,8 +96,8 @@ TEST(RunStats, TheLastLineOfARunSaysWhatItMade) {
   EXPECT_EQ(FinalLine(stats),
             "out.png 2x2 5.5 spp 2.00 s 14.2 Mrays/s (stopped by SIGINT, 5.5 of 1000 samples per pixel done)\n");
   EXPECT_EQ(SettingsInPicture(stats)["samples"], "5.5");
-  for (const char* stop : {"samples", "time", "error"}) {
-    stats.stopped_by = stop;
+  for (const Stop stop : {Stop::samples, Stop::time, Stop::error}) {
+    stats.stop = stop;
     EXPECT_EQ(FinalLine(stats), "out.png 2x2 1000 spp 2.00 s 14.2 Mrays/s\n");
   }
   stats.options.render.budget.seconds = 2;
