@@ -330,7 +330,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding&, cons
 }  // namespace
 }  // namespace hdr
 
-extern const ImageFormat hdr_format{"hdr", {"hdr", "rgbe", "pic"}, hdr::Recognizes, hdr::ReadSize, hdr::Decode, hdr::Encode,
-                             true};
+extern const ImageFormat hdr_format{
+    "hdr", {"hdr", "rgbe", "pic"}, hdr::Recognizes, hdr::ReadSize, hdr::Decode, hdr::Encode, true};
 
 }  // namespace R2

@@ -379,6 +379,6 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }  // namespace png
 
 extern const ImageFormat png_format{"png",       {"png"}, png::Recognizes, png::ReadSize,    png::Decode,
-                             png::Encode, false,   nullptr,         png::ReadSettings};
+                                    png::Encode, false,   nullptr,         png::ReadSettings};
 
 }  // namespace R2

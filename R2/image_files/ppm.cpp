@@ -123,6 +123,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
 }  // namespace
 }  // namespace ppm
 
-extern const ImageFormat ppm_format{"ppm", {"ppm", "pnm"}, ppm::Recognizes, ppm::ReadSize, ppm::Decode, ppm::Encode, false};
+extern const ImageFormat ppm_format{"ppm",       {"ppm", "pnm"}, ppm::Recognizes, ppm::ReadSize, ppm::Decode,
+                                    ppm::Encode, false};
 
 }  // namespace R2

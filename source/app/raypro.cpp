@@ -34,8 +34,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-RenderResult RenderAndLog(const World& world, const Accelerator& accelerator, const RenderOptions& options, RunLog& run_log,
-                          Checkpoint* checkpoint) {
+RenderResult RenderAndLog(const World& world, const Accelerator& accelerator, const RenderOptions& options,
+                          RunLog& run_log, Checkpoint* checkpoint) {
   const std::string identity = IdentityOf(options, run_log.stats().scene.hash);
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(run_log.stats());

@@ -68,7 +68,7 @@ struct LetterSize {
 /// A line of text, its lower left corner in pixels from that of the drawing.
 struct Label {
   double x = 0, y = 0;
-  std::string text;  // UTF-8
+  std::string text;                // UTF-8
   Rgba color{255, 255, 255, 255};  // light, as on the black behind it
   /// Opacity of the black behind it: letters as light as (208, 208, 208) keep 4.5 : 1, also where that covers white.
   static constexpr int ground_alpha = 170;

@@ -61,9 +61,9 @@ struct FrameState {
   std::shared_ptr<const Lines> lit;    // likewise, in wide lines; null for none
   std::shared_ptr<const Lines> crop;   // likewise, the frame of the crop, which nothing hides; null for none
   std::optional<Picture> quad, picture;
-  int split = -1;                        // the column from which on `beside` is seen instead of `picture`; -1 for none
-  std::optional<Picture> beside;         // an image; without one it is the preview, drawn at the place of the picture
-  DrawingSize section_size;              // of the part to the right of that, with the cross section
+  int split = -1;                 // the column from which on `beside` is seen instead of `picture`; -1 for none
+  std::optional<Picture> beside;  // an image; without one it is the preview, drawn at the place of the picture
+  DrawingSize section_size;       // of the part to the right of that, with the cross section
   R2::Color section_ground;
   std::shared_ptr<const Lines> section;  // in the square from -1 to 1, which is that part; null for none
   int line_width = 1;                    // pixels

@@ -6,12 +6,12 @@
 namespace ray {
 namespace {
 
-constexpr double seconds_of_frame = 1.0 / 60;    // of a usual screen
-constexpr double seconds_noticed = 1.0 / 25;     // between drawings, as steps instead of motion
-constexpr double seconds_of_rest = 0.15;         // a hand that pauses for longer has stopped
-constexpr double seconds_of_patience = 1;        // that a smoothed drawing may keep the next event waiting
-constexpr double smoothing_takes = 5;            // times a drawing without, usually; once it was done, that is known
-constexpr int least_pixels = 240;                // across, which the smallest screens once had
+constexpr double seconds_of_frame = 1.0 / 60;  // of a usual screen
+constexpr double seconds_noticed = 1.0 / 25;   // between drawings, as steps instead of motion
+constexpr double seconds_of_rest = 0.15;       // a hand that pauses for longer has stopped
+constexpr double seconds_of_patience = 1;      // that a smoothed drawing may keep the next event waiting
+constexpr double smoothing_takes = 5;          // times a drawing without, usually; once it was done, that is known
+constexpr int least_pixels = 240;              // across, which the smallest screens once had
 
 /// What a drawing takes falls with the number of its pixels.
 int StepInMotion(double seconds, const DrawingSize& size) {

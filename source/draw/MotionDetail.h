@@ -35,7 +35,7 @@ class MotionDetail {
   // Nothing where it is not known.
   std::optional<double> smooth_seconds_;  // that the last smoothed drawing took
   std::optional<double> rough_seconds_;   // that the last drawing took that was in full but for that
-  double motion_seconds_ = 0;  // that one in all pixels would take while the view moves, or a bound of it
+  double motion_seconds_ = 0;             // that one in all pixels would take while the view moves, or a bound of it
 };
 
 }  // namespace ray

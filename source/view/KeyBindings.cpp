@@ -171,12 +171,8 @@ std::vector<KeyBinding> ComparingAndTheRest() {
 }
 
 std::vector<KeyBinding> Editing() {
-  const auto edit = [](void (SceneEditor::*act)()) {
-    return [act](ViewerState& viewer) { (viewer.editor.*act)(); };
-  };
-  const auto move = [](double steps) {
-    return [steps](ViewerState& viewer) { viewer.editor.MoveBySteps(steps); };
-  };
+  const auto edit = [](void (SceneEditor::*act)()) { return [act](ViewerState& viewer) { (viewer.editor.*act)(); }; };
+  const auto move = [](double steps) { return [steps](ViewerState& viewer) { viewer.editor.MoveBySteps(steps); }; };
   constexpr double many = 10;
   return {
       {Key::a, plain, "the axis that the chosen object or light moves along: x, y, z, the plane facing the camera",

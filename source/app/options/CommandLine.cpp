@@ -21,7 +21,8 @@ std::string HintAt(const Program& program, const std::string& name) {
   const std::string without_digits = name.substr(0, name.find_last_not_of("0123456789") + 1);  // -spp4
   for (const OptionKind& option : OptionTable(program))
     for (const std::string elsewhere : option.facts.elsewhere)
-      if (elsewhere == name || elsewhere == without_digits) return "; did you mean '-" + std::string(option.name) + "'?";
+      if (elsewhere == name || elsewhere == without_digits)
+        return "; did you mean '-" + std::string(option.name) + "'?";
   for (const char* names_file : {"o", "out", "outfile", "output", "f", "file", "i", "in", "input", "scene"})
     if (name == names_file) return "; files need no option: " + Usage(program);
   for (const Program* other : {&Program::raypro, &Program::rayview})

@@ -93,13 +93,13 @@ std::vector<std::string> SurfacesInOnePlane(const Inspection& inspection) {
   const World& world = inspection.world;
   const bool is_check = inspection.effort == Effort::check;
   const auto built = inspection.accelerator ? nullptr : FindAcceleratorKind("auto")->Make(world, {});
-  const std::vector<Pair> pairs = PairsInOnePlane(world, built ? *built : *inspection.accelerator, inspection.settings,
-                                                  is_check ? 64 : 32);
+  const std::vector<Pair> pairs =
+      PairsInOnePlane(world, built ? *built : *inspection.accelerator, inspection.settings, is_check ? 64 : 32);
   if (pairs.empty()) return {};
   const Instance &seen = world.Instances()[pairs[0].first], &hidden = world.Instances()[pairs[0].second];
-  return {WarningAt(world, hidden) + "this shape " + (hidden.is_repeated ? "is the same as" : "lies in one plane with") +
-          " that of " + PlaceOf(world, seen) + ", which " +
-          (seen.Emits() && !hidden.Emits() ? "emits" : "comes first in the file") +
+  return {WarningAt(world, hidden) + "this shape " +
+          (hidden.is_repeated ? "is the same as" : "lies in one plane with") + " that of " + PlaceOf(world, seen) +
+          ", which " + (seen.Emits() && !hidden.Emits() ? "emits" : "comes first in the file") +
           " and hides it; their materials differ" + AndMore(pairs.size())};
 }
 

@@ -46,8 +46,8 @@ std::vector<std::string> Ask(std::span<const Question> questions, const Inspecti
 std::vector<std::string> LampMistakes(const Inspection& inspection);
 
 /// Names surfaces of different materials in one plane where the camera sees them or one is a lamp, and lights inside of
-/// solids; in -check also clear meshes with holes, and clear solids that claim the same place without a priority or that
-/// a higher priority hides.
+/// solids; in -check also clear meshes with holes, and clear solids that claim the same place without a priority or
+/// that a higher priority hides.
 std::vector<std::string> ContactMistakes(const Inspection& inspection);
 
 /// "room.scn:12:1: warning: " for an instance, "room.scn: warning: " for the scene.

@@ -50,8 +50,7 @@ Texture2D FilledProbe(GLsizei texels, const R2::Color& background, const std::fu
   Texture2D map;
   UseLinear(map);
   for (GLenum i = 0; i < sides.size(); ++i)
-    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, 0, GL_RGBA16F, texels, texels, 0, GL_RGBA, GL_FLOAT,
-                 nullptr);
+    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, 0, GL_RGBA16F, texels, texels, 0, GL_RGBA, GL_FLOAT, nullptr);
   CheckMemory();
   const KeptTarget kept;
   const Framebuffer framebuffer;

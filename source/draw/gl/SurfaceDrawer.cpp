@@ -153,8 +153,7 @@ bool IsFaint(const SurfaceMaterial& m) {
 /// surface that is drawn before something nearer.
 bool IsShadingDear(const SurfacePass& pass) {
   constexpr std::size_t many_lights = 4;
-  const std::size_t lights =
-      std::min(pass.surfaces.preview_lights.size(), static_cast<std::size_t>(pass.most_lights));
+  const std::size_t lights = std::min(pass.surfaces.preview_lights.size(), static_cast<std::size_t>(pass.most_lights));
   return pass.features.mode == RenderMode::whitted && lights >= many_lights;
 }
 

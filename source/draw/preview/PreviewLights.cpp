@@ -58,8 +58,8 @@ PreviewLight Known(const Light& light, const DrawingSpace& space) {
 struct Emitter {
   R2::Color emission;
   R3::Point middle;
-  double area = 0;  // as it looks from somewhere
-  int lamps = 1;    // each of which shines with its full color, where emission is no radiance
+  double area = 0;                     // as it looks from somewhere
+  int lamps = 1;                       // each of which shines with its full color, where emission is no radiance
   std::optional<R3::Vector> normal{};  // unit; where all of it lies in one plane
 };
 

@@ -25,7 +25,7 @@ namespace {
 // 64)).
 constexpr std::array finenesses{64, 40, 32, 24, 16, 12, 8, 6};
 constexpr int usual_fineness = 40;
-constexpr int only_boxes = 0;  // a fineness
+constexpr int only_boxes = 0;                   // a fineness
 constexpr std::int64_t most_bounces_shown = 4;  // of mirrors in mirrors
 constexpr std::int64_t box_triangles = 12, box_vertices = 8;
 constexpr std::int64_t least_simplified = 200;  // triangles of a mesh, below which it would be a lump
@@ -34,7 +34,7 @@ constexpr std::int64_t least_simplified = 200;  // triangles of a mesh, below wh
 struct Plan {
   int fineness = only_boxes;
   double share = 1, mesh_share = 1;  // the latter of the triangles of meshes, by simplifying them
-  std::int64_t triangles = 0;  // about as many
+  std::int64_t triangles = 0;        // about as many
 };
 
 bool IsDrawn(const Instance& instance) { return !instance.shape->IsDegenerate(); }
@@ -247,8 +247,8 @@ class Builder {
     if (most == 0) return;
     for (const Mirror& mirror : FindMirrors()) {
       const double close = 1e-3 * space_.radius;  // as the two triangles of a square
-      const auto same = std::ranges::find_if(
-          places, [&](const R3::Point& place) { return Length(place - mirror.middle) < close; });
+      const auto same =
+          std::ranges::find_if(places, [&](const R3::Point& place) { return Length(place - mirror.middle) < close; });
       if (same != places.end()) {
         probe_of_[mirror.instance] = static_cast<int>(same - places.begin());
         owners_.insert(mirror.instance);
@@ -264,8 +264,8 @@ class Builder {
             {space_.At(mirror.middle), std::clamp(part * mirror.size / space_.radius, least, most_near)});
         continue;
       }
-      const auto nearest = std::ranges::min_element(
-          places, {}, [&](const R3::Point& place) { return Length(place - mirror.middle); });
+      const auto nearest =
+          std::ranges::min_element(places, {}, [&](const R3::Point& place) { return Length(place - mirror.middle); });
       probe_of_[mirror.instance] = static_cast<int>(nearest - places.begin());
     }
     const auto probes = static_cast<std::int64_t>(places.size());
@@ -423,8 +423,8 @@ class Builder {
   std::vector<Draft> drafts_;
   // By material, probe, and whether it owns that.
   std::map<std::tuple<const Material*, int, bool>, std::size_t> number_of_;
-  std::set<const Instance*> owners_;  // of probes
-  std::unordered_map<const Instance*, int> probe_of_;                // of mirrors
+  std::set<const Instance*> owners_;                   // of probes
+  std::unordered_map<const Instance*, int> probe_of_;  // of mirrors
   R3::MeshData data_;
   ScenePicture picture_;
 };

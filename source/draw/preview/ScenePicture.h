@@ -51,9 +51,9 @@ struct ScenePicture {
   bool shadows = true;                             // likewise
   int mirror_bounces = 0;                          // of mirrors that show mirrors
   ModeLook look;
-  std::int64_t primitives = 0;                     // of the scene
-  std::int64_t as_boxes = 0;                       // of these shown as their bounding boxes, because there are too many
-  std::int64_t left_out = 0;                       // of these not shown at all, for the same reason; evenly spread
+  std::int64_t primitives = 0;  // of the scene
+  std::int64_t as_boxes = 0;    // of these shown as their bounding boxes, because there are too many
+  std::int64_t left_out = 0;    // of these not shown at all, for the same reason; evenly spread
 };
 
 /// The scene, to be shaded at each pixel by the formulas of the tracer's modes, but without rays. Mirrors show what a

@@ -35,8 +35,8 @@ struct SurfaceMaterial {
 struct SurfaceBatch {
   SurfaceMaterial material;
   std::uint32_t first = 0, count = 0;
-  bool is_clear = false;  // what is behind is seen through it
-  int probe = -1;         // of Surfaces::probes, which its mirrors show; -1: none
+  bool is_clear = false;    // what is behind is seen through it
+  int probe = -1;           // of Surfaces::probes, which its mirrors show; -1: none
   bool owns_probe = false;  // the probe is in the middle of it, and does not see it
 };
 
