@@ -2,39 +2,39 @@
 // compiler knows where it looks for them. The first says that it ran.
 compiler
 #if __has_include(<jpeglib.h>)
-    jpeg
+jpeg
 #endif
 #if __has_include(<png.h>)
-        png
+png
 #endif
 #if __has_include(<tbb/parallel_for.h>)
-            tbb
+tbb
 #endif
 #if __has_include(<hwy/highway.h>)
-                hwy
+hwy
 #endif
 #if __has_include(<nlohmann/json.hpp>)
-                    json
+json
 #endif
 #if __has_include(<ImfOutputFile.h>)
-                        exr
+exr
 #endif
 #if __has_include(<yaml-cpp/parser.h>)
-                            yaml
+yaml
 #endif
 // libepoxy finds OpenGL; one of the three below it makes what is drawn into.
 #if __has_include(<epoxy/gl.h>)
-                                epoxy
+epoxy
 #endif
 #if __has_include(<GLFW/glfw3.h>)
-                                    glfw
+glfw
 #endif
 #if __has_include(<epoxy/egl.h>) && __has_include(<EGL/egl.h>)
-                                        egl
+egl
 #endif
 #if __has_include(<GL/osmesa.h>)
-                                            osmesa
+osmesa
 #endif
 #if __has_include(<imgui.h>)
-                                                imgui
+imgui
 #endif
