@@ -52,6 +52,13 @@ class task_arena {
   }
 };
 
+namespace this_task_arena {
+template <typename Work>
+void isolate(const Work& work) {
+  work();
+}
+}  // namespace this_task_arena
+
 /// Holds one value, made when it is first asked for.
 template <typename T>
 class enumerable_thread_specific {

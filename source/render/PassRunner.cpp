@@ -1,5 +1,7 @@
 #include "source/render/PassRunner.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -85,8 +87,12 @@ void PassRunner::RunTile(int i) {
   const std::lock_guard lock(mutex_);
   rays_ += state.rays;
   pixels_done_ += pixels;
-  if (work_.blocks_done && !done.empty()) work_.blocks_done(done);
-  if (work_.tile_done) work_.tile_done(pixels_done_, rays_);
+  // A callback may make an image on many threads. While this thread waits for them, it must not begin another tile,
+  // which would wait for the lock that it holds.
+  tbb::this_task_arena::isolate([&] {
+    if (work_.blocks_done && !done.empty()) work_.blocks_done(done);
+    if (work_.tile_done) work_.tile_done(pixels_done_, rays_);
+  });
 }
 
 /// Takes a block to its target, in steps after which it can be kept. Whether it got there.

@@ -1,13 +1,15 @@
 #include "source/render/Render.h"
-#include "tests/Named.h"
 
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
+#include "tests/Named.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -38,6 +40,24 @@ TEST(Render, PartsWithOneIntegratorMadeBeforeEqualTheWhole) {
       for (int x = 0; x < part.Width(); ++x) wrong += !(part.At(x, y) == whole.At(3 + x, bottom + y));
   }
   EXPECT_EQ(wrong, 0);
+}
+
+// A thread that waited for such work once began another tile, and then waited for itself.
+TEST(Render, ACallbackMayWorkOnManyThreads) {
+  const project::Stage stage(project::Root() / "scenes" / "hello.scn");
+  const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
+  RenderSettings settings = Small();
+  settings.tile_size = Film::block_side;
+  settings.threads = 4;
+  settings.samples = 1;
+  constexpr int renders = 50, pieces = 64;
+  std::atomic<int> done{0};
+  RenderMonitor monitor;
+  monitor.tile_done = [&](const RenderProgress&) {
+    tbb::parallel_for(0, pieces, [&](int) { ++done; });
+  };
+  for (int i = 0; i < renders; ++i) Render(stage.world, *accelerator, settings, monitor);
+  EXPECT_GE(done, renders * pieces);
 }
 
 const std::string from_the_middle = "camera 0 0 0 1 2 3 0 1 0 .5 1 10\n", box_around = "box 0 -9 -9 -9 9 9 9";
