@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 build=$(dirname "$RAYPRO")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+unset GTEST_TOTAL_SHARDS GTEST_SHARD_INDEX GTEST_SHARD_STATUS_FILE  # of the tests that run this
 export RUNS=1 SIZES=160x120 OUT="$work" REFERENCE=8
 echo "background 1 1 1" > "$work/white.scn"
 
