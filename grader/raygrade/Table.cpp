@@ -52,12 +52,7 @@ std::vector<OptionKind> GradingOptions() {
 #undef AT
 
 const std::vector<OptionKind>& Table() {
-  static const std::vector<OptionKind> table = [] {
-    std::vector<OptionKind> rows = GradingOptions();
-    for (OptionKind& option : KnownOptions(AboutOptions<Program::raygrade>(), Program::raygrade))
-      rows.push_back(std::move(option));
-    return rows;
-  }();
+  static const std::vector<OptionKind> table = WithAboutOptions<Program::raygrade>(GradingOptions());
   return table;
 }
 

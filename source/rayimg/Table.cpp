@@ -259,12 +259,7 @@ void CheckTogether(const ImageOptions& options) {
 }
 
 const std::vector<OptionKind>& Table() {
-  static const std::vector<OptionKind> table = [] {
-    std::vector<OptionKind> rows = OptionsOfCommands();
-    for (OptionKind& option : KnownOptions(AboutOptions<Program::rayimg>(), Program::rayimg))
-      rows.push_back(std::move(option));
-    return rows;
-  }();
+  static const std::vector<OptionKind> table = WithAboutOptions<Program::rayimg>(OptionsOfCommands());
   return table;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "source/app/Answers.h"
@@ -56,5 +57,13 @@ std::vector<OptionKind> AboutOptions() {
   };
 }
 // clang-format on
+
+/// Returns a program's table: of these rows and of those that each program has, the ones that it knows.
+template <const Program& program>
+std::vector<OptionKind> WithAboutOptions(std::vector<OptionKind> rows) {
+  const std::vector<OptionKind> about = AboutOptions<program>();
+  rows.insert(rows.end(), about.begin(), about.end());
+  return KnownOptions(std::move(rows), program);
+}
 
 }  // namespace ray

@@ -474,9 +474,9 @@ const std::vector<OptionKind>& Table() {
   static const std::vector<OptionKind> table = [] {
     std::vector<OptionKind> rows;
     for (const auto& part : {PictureOptions(), ViewingOptions(), LightOptions(), DrawnModeOptions(), QualityOptions(),
-                             SpeedOptions(), SceneOptions(), BatchOptions(), MessageOptions(), AboutOptions<program>()})
+                             SpeedOptions(), SceneOptions(), BatchOptions(), MessageOptions()})
       rows.insert(rows.end(), part.begin(), part.end());
-    return KnownOptions(std::move(rows), program);
+    return WithAboutOptions<program>(std::move(rows));
   }();
   return table;
 }
