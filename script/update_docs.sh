@@ -21,12 +21,14 @@ replace() {  # file, name of the markers; the new text is read
 }
 fenced() { echo '```'; cat "$1"; echo '```'; }
 
-cp "$here/README.md" "$here/docs/options.md" "$work/"
+cp "$here/README.md" "$here/docs/options.md" "$here/docs/viewer.md" "$work/"
 "$raypro" -help markdown | replace "$work/options.md" options
 "$rayimg" -help markdown | replace "$work/options.md" "rayimg options"
 "$raygrade" -help markdown | replace "$work/options.md" "raygrade options"
 if [ -x "$rayview" ]; then  # not every machine builds it
   "$rayview" -help markdown | replace "$work/options.md" "rayview options"
+  "$rayview" -list keys > "$work/keys"
+  fenced "$work/keys" | replace "$work/viewer.md" "rayview keys"
 fi
 fenced "$here/scenes/first.scn" | replace "$work/README.md" "scenes\/first.scn"
 
@@ -39,6 +41,7 @@ check=
 [ "${1:-}" != -check ] || check=yes
 update README.md "$work/README.md"
 update docs/options.md "$work/options.md"
+update docs/viewer.md "$work/viewer.md"
 # Images keep their command, which is to be one for any checkout.
 picture() {  # scene, image
   [ "$check" ] || [ "$here/$2" -nt "$here/$1" ] ||

@@ -12,25 +12,16 @@
 #include "source/draw/Frame.h"
 #include "source/draw/PanelDrawing.h"
 #include "source/draw/preview/PreviewView.h"
-#include "source/draw/preview/ScenePicture.h"
+#include "source/draw/preview/PreviewScene.h"
 
 namespace ray {
 
-/// How finely a preview is drawn. By default in full; see MotionDetail.
+/// How finely a preview is drawn, by default in full; see MotionDetail.
 struct DrawingDetail {
-  int pixel_step = 1;       // faces, and what is behind them, have one pixel for so many of the view, each way
-  bool is_smooth = true;    // faces have several samples per pixel, where they have every pixel
-  bool has_mirrors = true;  // which show the scene, not only what surrounds it
-  bool is_sparse = false;   // the strongest lights alone, and FrameState::faces_in_motion
+  int pixel_step = 1;     // faces, and what is behind them, have one pixel for so many of the view, each way
+  bool is_smooth = true;  // faces have several samples per pixel, where they have every pixel
   friend bool operator==(const DrawingDetail&, const DrawingDetail&) = default;
 };
-
-/// What a user is told of it; empty where nothing is missing.
-inline std::string WordsFor(const DrawingDetail& detail) {
-  if (detail.is_sparse) return "moving: fewer lights and triangles";
-  if (detail.pixel_step > 1 || !detail.has_mirrors) return "moving: less detail";
-  return detail.is_smooth ? "" : "edges not smoothed";
-}
 
 /// All that a viewer shows at a moment; knows nothing of OpenGL. Lists are shared and never changed once they are
 /// shown: the same pointer is the same list.
@@ -44,6 +35,13 @@ struct FrameState {
     PixelBox place;                                              // where it is then, in the view
     int rows = -1;                                               // shown, from the bottom; -1: all
     Exposure exposure;
+    double opacity = 1;  // over the preview, in [0, 1]
+    /// The distances from the eye of what the picture shows, which hides lines behind it; without a frame it hides none.
+    struct Depths {
+      const Frame* frame = nullptr;  // likewise; 0 where nothing is hit
+      std::uint64_t number = 0;
+      double unit = 1;  // of the drawing space
+    } depths{};
   };
 
   DrawingSize size;  // of the whole
@@ -51,10 +49,9 @@ struct FrameState {
   R2::Color background;
   ClipMatrix clip_from_drawing{};
   PreviewView seen_from;
-  std::shared_ptr<const ScenePicture> faces;
+  std::shared_ptr<const PreviewScene> faces;  // null while they are being made
   bool shows_faces = true, shows_edges = false, shows_shadows = false;
   DrawingDetail detail;
-  std::shared_ptr<const Surfaces> faces_in_motion;  // where the detail is sparse; null for those of `faces` themselves
   Rgba edge_color{};
   std::shared_ptr<const Lines> lines;
   std::shared_ptr<const Lines> marks;  // likewise, made anew for each view

@@ -7,7 +7,6 @@ namespace ray {
 namespace {
 
 constexpr double seconds_of_frame = 1.0 / 60;  // of a usual screen
-constexpr double seconds_noticed = 1.0 / 25;   // between drawings, as steps instead of motion
 constexpr double seconds_of_rest = 0.15;       // a hand that pauses for longer has stopped
 constexpr double seconds_of_patience = 1;      // that a smoothed drawing may keep the next event waiting
 constexpr double smoothing_takes = 5;          // times a drawing without, usually; once it was done, that is known
@@ -30,11 +29,10 @@ DrawingDetail MotionDetail::For(const FrameState& shown, double now) {
   view_ = shown.clip_from_drawing;
   draws_faces_ = shown.shows_faces && !shown.picture;
   if (is_moving_) {
-    const double at_rest = std::max(smooth_seconds_.value_or(0), rough_seconds_.value_or(0));
-    const bool is_quick = smooth_seconds_ && std::max(at_rest, motion_seconds_) < seconds_of_frame / 2;
-    detail_ = {StepInMotion(motion_seconds_, shown.view), is_quick, is_quick, at_rest > seconds_noticed};
+    const bool is_quick = smooth_seconds_ && std::max(*smooth_seconds_, motion_seconds_) < seconds_of_frame / 2;
+    detail_ = {StepInMotion(motion_seconds_, shown.view), is_quick};
   } else {
-    detail_ = {1, IsWorthSmoothing(), true, false};
+    detail_ = {1, IsWorthSmoothing()};
   }
   return detail_;
 }

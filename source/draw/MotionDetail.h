@@ -8,8 +8,8 @@
 namespace ray {
 
 /// How finely a preview is drawn: in full where the view rests; while it moves, one pixel for several where a drawing
-/// takes longer than a screen shows it, and fewer lights and triangles where one at rest takes longer than an eye
-/// notices. Edges of a view at rest are smoothed where that keeps nobody waiting. Times are seconds of any clock.
+/// takes longer than a screen shows it. Edges of a view at rest are smoothed where that keeps nobody waiting. Times are
+/// seconds of any clock.
 class MotionDetail {
  public:
   /// The detail for the drawing of this view, begun `now`. Pixels are never so few that a small window is not told
@@ -27,7 +27,7 @@ class MotionDetail {
   bool IsWorthSmoothing() const;
 
   std::optional<ClipMatrix> view_;             // drawn last
-  std::shared_ptr<const ScenePicture> faces_;  // drawn last; times are theirs
+  std::shared_ptr<const PreviewScene> faces_;  // drawn last; times are theirs
   DrawingDetail detail_;                       // of the last drawing
   bool is_moving_ = false;                     // likewise
   bool draws_faces_ = false;                   // likewise; else its time says nothing

@@ -30,7 +30,7 @@ RenderProgress PassProgress::Of(std::int64_t pixels, double seconds, std::uint64
   if (settings_.budget.seconds > 0) {
     total = 1e3 * settings_.budget.seconds;
     done = 1e3 * seconds;
-  } else if (settings_.replay || settings_.budget.is_endless) {
+  } else if (settings_.replay) {
     total = area;
     done = static_cast<double>(pixels);
   } else {

@@ -45,9 +45,8 @@ struct Budget {
   std::optional<ErrorTarget> error;  // stop when the upper end of the error's interval is below
   double confidence = 0.95;          // of that interval, in (0, 1)
   Adaptive adaptive = Adaptive::automatic;
-  bool is_endless = false;  // continue until asked to stop, as the viewer does
 
-  bool IsOpen() const { return seconds > 0 || error || is_endless; }
+  bool IsOpen() const { return seconds > 0 || error; }
 };
 
 /// What is left of it for a picture that takes all its samples: which blocks may do with one.

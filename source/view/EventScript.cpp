@@ -140,6 +140,9 @@ class Reader {
     if (what == "trace") {
       tokens_.Next();
       steps_.emplace_back(WaitForTrace{});
+    } else if (what == "image") {
+      tokens_.Next();
+      steps_.emplace_back(WaitForImage{});
     } else if (what == "rows") {
       tokens_.Next();
       steps_.emplace_back(WaitForRows{Whole("rows")});

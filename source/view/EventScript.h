@@ -23,7 +23,8 @@
 ///     drop other.scn             the rest of the line is the name of a file
 ///     tick 0.1                   so many seconds pass
 ///     close
-///     wait trace                 until the render, or the live picture, has ended
+///     wait trace                 until all that is being rendered has ended
+///     wait image                 until the traced image is whole; it is shown from then on
 ///     wait rows 100              until so many rows of the render are done
 ///     wait 0.5                   seconds
 ///     screenshot out.png
@@ -32,6 +33,7 @@
 namespace ray {
 
 struct WaitForTrace {};
+struct WaitForImage {};
 struct WaitForRows {
   int rows = 0;
 };
@@ -46,7 +48,7 @@ struct ClickPanel {
 };
 struct PrintState {};
 
-using ScriptStep = std::variant<Event, WaitForTrace, WaitForRows, WaitSeconds, Screenshot, ClickPanel, PrintState>;
+using ScriptStep = std::variant<Event, WaitForTrace, WaitForImage, WaitForRows, WaitSeconds, Screenshot, ClickPanel, PrintState>;
 
 /// Throws SceneErrors that point at each mistake.
 std::vector<ScriptStep> ReadEventScript(const Text& text);

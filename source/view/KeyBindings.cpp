@@ -53,8 +53,6 @@ std::function<void(ViewerState&)> Toggles(const char* what, bool SpaceOverlays::
   return [what, shows](ViewerState& viewer) { Toggle(viewer, what, shows); };
 }
 
-std::function<void(ViewerState&)> Live(std::optional<RenderMode> mode = {}) { return With(ToggleLive, mode); }
-
 std::function<void(ViewerState&)> Arrow(int right, int up) {
   return [right, up](ViewerState& viewer) { MoveByArrow(viewer, right, up); };
 }
@@ -71,7 +69,8 @@ std::vector<KeyBinding> Rendering() {
       {Key::escape, plain, "close the help or the flat image, clear the crop, forget the pick, close the cross section, stop rendering",
        Peel},
       {Key::q, plain, "quit; while a picture is being rendered, when pressed twice", Quit},
-      {Key::p, plain, "toggle live rendering", Live()},
+      {Key::p, plain, "pause or continue tracing what the view shows", PauseOrResume},
+      {Key::p, shift, "toggle the traced image: without it, the preview alone", ToggleTraced},
       {Key::m, plain, "toggle denoising, of images that get all their samples", ToggleDenoising},
       {Key::v, plain, "toggle the rendered image in space", Toggles("rendered image in space", &SpaceOverlays::quad)},
       {Key::c, plain, "print the camera as a scene-file line and copy it to the clipboard", PrintCamera},
@@ -88,7 +87,7 @@ std::vector<KeyBinding> WhatIsShown() {
       {Key::e, plain, "toggle edges", Toggles("edges", &SpaceOverlays::edges)},
       {Key::w, plain, "toggle faces", Toggles("faces", &SpaceOverlays::faces)},
       {Key::l, plain, "toggle lights; F frames them as well", ToggleLights},
-      {Key::l, shift, "toggle shadows of the preview, from as many of the strongest lights as there is room for",
+      {Key::l, shift, "toggle shadows of the preview, from its two strongest lights",
        Toggles("shadows", &SpaceOverlays::shadows)},
       {Key::c, shift, "toggle the scene's camera", Toggles("the scene's camera", &SpaceOverlays::camera)},
   };
@@ -138,12 +137,12 @@ std::vector<KeyBinding> CrossSection() {
 
 std::vector<KeyBinding> FalseColors() {
   return {
-      {Key::f7, plain, "live depth", Live(RenderMode::depth)},
-      {Key::f8, plain, "live normals", Live(RenderMode::normal)},
-      {Key::f9, plain, "live texture coordinates", Live(RenderMode::uv)},
-      {Key::f10, plain, "live primitive ids", Live(RenderMode::id)},
-      {Key::f11, plain, "live rays per pixel", Live(RenderMode::rays)},
-      {Key::f12, plain, "live cost per pixel", Live(RenderMode::heat)},
+      {Key::f7, plain, "depth", With(ToggleMode, RenderMode::depth)},
+      {Key::f8, plain, "normals", With(ToggleMode, RenderMode::normal)},
+      {Key::f9, plain, "texture coordinates", With(ToggleMode, RenderMode::uv)},
+      {Key::f10, plain, "primitive ids", With(ToggleMode, RenderMode::id)},
+      {Key::f11, plain, "rays per pixel", With(ToggleMode, RenderMode::rays)},
+      {Key::f12, plain, "cost per pixel", With(ToggleMode, RenderMode::heat)},
   };
 }
 

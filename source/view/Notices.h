@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -12,9 +13,21 @@ class Notices {
   void Tell(const std::string& message) {
     message_ = message;
     since_ = now_;
+    question_.clear();
     needs_redraw_ = true;
   }
   const std::string& Message() const { return message_; }
+  /// Asks whether to do what cannot be undone. Returns true where the same was asked by the action just before and is
+  /// still to be read; else shows the question.
+  bool Confirms(const std::string& question) {
+    const bool is_answer = question == question_ && action_ == asked_at_ + 1 && Strength() > 0;
+    if (!is_answer) Tell(question);
+    question_ = is_answer ? std::string() : question;
+    asked_at_ = action_;
+    return is_answer;
+  }
+  /// The user has pressed something.
+  void CountAction() { ++action_; }
   /// What is left of it, from 1 to 0.
   double Strength() const {
     constexpr double seconds_of_message = 5, seconds_of_fading = 1;
@@ -40,7 +53,8 @@ class Notices {
   bool TakeNewLines() { return std::exchange(has_new_lines_, false); }
 
  private:
-  std::string message_;
+  std::string message_, question_;
+  std::int64_t action_ = 0, asked_at_ = 0;
   double since_ = 0, now_ = 0;
   bool needs_redraw_ = true, has_new_lines_ = true;
 };

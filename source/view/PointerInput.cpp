@@ -44,7 +44,7 @@ void PointerInput::Begin(const ButtonEvent& event, ViewerState& viewer) {
     press_->what = TakesSlider(viewer, event) ? Drags::slider : Drags::flat;
   } else if (event.button == Button::left && event.modifiers == of_moving) {
     press_->what = Drags::chosen;
-    viewer.editor.BeginDrag(viewer.RayAt(press_->at));
+    if (const auto ray = viewer.RayAt(press_->at)) viewer.editor.BeginDrag(*ray);
   } else if (event.button == Button::right && event.modifiers.control) {
     press_->what = Drags::crop;
   } else {
@@ -55,6 +55,7 @@ void PointerInput::Begin(const ButtonEvent& event, ViewerState& viewer) {
 void PointerInput::On(const MoveEvent& event, ViewerState& viewer) {
   const R2::Point now{event.x, event.y}, last = std::exchange(viewer.screen.pointer, now);
   if (viewer.layout().IsOnSection(last) || viewer.layout().IsOnSection(now)) viewer.notices.Redraw();
+  if (!press_) FollowByCut(viewer);
   if (!press_ || press_->what == Drags::section) return;
   press_->is_click = press_->is_click && Distance(now, press_->at) <= click_reach;
   if (press_->is_click) return;
@@ -66,7 +67,8 @@ void PointerInput::On(const MoveEvent& event, ViewerState& viewer) {
     case Drags::crop:
       return Crop(viewer, press_->at, now);
     case Drags::chosen:
-      return viewer.editor.DragTo(viewer.RayAt(now));
+      if (const auto ray = viewer.RayAt(now)) viewer.editor.DragTo(*ray);
+      return;
     case Drags::view:
       return viewer.navigator.DragTo(now);
     case Drags::section:

@@ -1,8 +1,8 @@
 #include "source/view/ViewedScene.h"
 
+#include <chrono>
 #include <utility>
 
-#include "source/text/EnumNames.h"
 #include "source/text/Words.h"
 
 namespace ray {
@@ -11,32 +11,36 @@ void ViewedScene::Take(std::shared_ptr<const LoadedScene> scene) {
   loaded_ = std::move(scene);
   ++number_;
   mistakes_.clear();
-  space_ = DrawingSpace::Of(Parsed().root.bounds);
+  const DrawingSpace space = DrawingSpace::Of(Parsed().root.bounds);
+  if (space.radius != space_.radius || space.center != space_.center) faces_.reset();  // they are elsewhere
+  space_ = space;
 }
 
 void ViewedScene::MakeFaces(const RenderSettings& settings) {
-  ScenePicture picture = PictureOf(world(), settings, space_);
-  notes_.clear();
-  if (picture.as_boxes > 0)
-    AddNote(Counted(static_cast<std::uint64_t>(picture.as_boxes), "primitive") + " shown as boxes");
-  if (picture.left_out > 0) AddNote(std::to_string(picture.left_out) + " not shown");
-  if (picture.lights.left_out > 0)
-    AddNote(Counted(static_cast<std::uint64_t>(picture.lights.left_out), "weaker light") + " left out of the preview");
-  if (settings.mode != RenderMode::whitted)
-    AddNote(std::string("mode ") + NameOf(settings.mode) +
-            (IsPreviewed(settings.mode) ? "" : ", which the preview does not show"));
-  if (picture.lights.head_light) AddNote("the scene is unlit: seen by a light at the eye");
-  faces_ = std::make_shared<const ScenePicture>(std::move(picture));
-  made_for_ = settings;
-  faces_in_motion_.reset();
+  constexpr std::chrono::milliseconds moment{20};
+  std::erase_if(ending_, [](auto& faces) { return faces.wait_for(std::chrono::seconds{0}) == std::future_status::ready; });
+  if (making_.valid()) ending_.push_back(std::move(making_));
+  making_ = std::async(std::launch::async, [scene = loaded_, settings, space = space_] {
+    return PreviewOf(scene->world, settings, space);
+  });
+  making_.wait_for(moment);
+  TakeFaces();
 }
 
-const std::shared_ptr<const Surfaces>& ViewedScene::FacesInMotion() {
-  constexpr std::size_t enough = 150'000;  // triangles
-  if (!faces_in_motion_ && faces_->surfaces.indices.size() / 3 > enough)
-    faces_in_motion_ =
-        std::make_shared<const Surfaces>(PictureOf(world(), made_for_, space_, budget_in_motion).surfaces);
-  return faces_in_motion_;
+bool ViewedScene::TakeFaces(bool waits) {
+  if (!making_.valid()) return false;
+  if (!waits && making_.wait_for(std::chrono::seconds{0}) != std::future_status::ready) return false;
+  auto faces = std::make_shared<const PreviewScene>(making_.get());
+  notes_.clear();
+  if (faces->simplified > 0) AddNote(std::to_string(faces->simplified) + (faces->simplified == 1 ? " mesh" : " meshes") + " simplified");
+  if (faces->as_boxes > 0)
+    AddNote(Counted(static_cast<std::uint64_t>(faces->as_boxes), "primitive") + " shown as boxes");
+  if (faces->left_out > 0) AddNote(std::to_string(faces->left_out) + " not shown");
+  if (faces->lights.left_out > 0)
+    AddNote(Counted(static_cast<std::uint64_t>(faces->lights.left_out), "weaker light") + " left out of the preview");
+  if (faces->lights.head_light) AddNote("the scene is unlit: the preview has a light at the eye");
+  faces_ = std::move(faces);
+  return true;
 }
 
 void ViewedScene::KeepMistakes(const std::string& file, const std::exception& error) {

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "source/draw/Drawing.h"
-#include "source/draw/preview/ScenePicture.h"
+#include "source/draw/preview/PreviewScene.h"
 #include "source/parse/SceneError.h"
 #include "source/view/LoadedScene.h"
 
@@ -16,19 +17,23 @@ namespace ray {
 class ViewedScene {
  public:
   void Take(std::shared_ptr<const LoadedScene> scene);
-  /// Makes what is drawn of it, for these settings.
+  /// Begins to make its preview, for these settings, in the background. What takes no longer than a moment is there at
+  /// once; else TakeFaces says when.
   void MakeFaces(const RenderSettings& settings);
+  /// Takes the preview that was begun last, if it is made by now, or waits for it. Returns whether Faces is another.
+  bool TakeFaces(bool waits = false);
+  bool IsMakingFaces() const { return making_.valid(); }
 
   const LoadedScene& Loaded() const { return *loaded_; }
   const std::shared_ptr<const LoadedScene>& Shared() const { return loaded_; }
   const Scene& Parsed() const { return loaded_->parsed.scene; }
   const World& world() const { return loaded_->world; }
+  /// Whether it has nothing to be seen.
+  bool ShowsNothing() const { return world().Instances().empty() && !Parsed().environment; }
   const DrawingSpace& Space() const { return space_; }
-  const std::shared_ptr<const ScenePicture>& Faces() const { return faces_; }
-  /// The scene's surfaces in few triangles, for views that move on a slow renderer; null where Faces are few enough.
-  /// Made when they are first asked for.
-  const std::shared_ptr<const Surfaces>& FacesInMotion();
-  /// What is drawn otherwise than it is traced, in words; empty where nothing is.
+  /// The preview; null while it is being made.
+  const std::shared_ptr<const PreviewScene>& Faces() const { return faces_; }
+  /// What the preview leaves out, in words; empty where nothing is.
   const std::string& Notes() const { return notes_; }
   /// Another for each scene that was opened or read again, from 1.
   int Number() const { return number_; }
@@ -46,9 +51,9 @@ class ViewedScene {
 
   std::shared_ptr<const LoadedScene> loaded_;
   DrawingSpace space_;
-  std::shared_ptr<const ScenePicture> faces_;
-  RenderSettings made_for_;  // settings of these
-  std::shared_ptr<const Surfaces> faces_in_motion_;
+  std::shared_ptr<const PreviewScene> faces_;
+  std::future<PreviewScene> making_;
+  std::vector<std::future<PreviewScene>> ending_;  // of scenes and settings from before
   std::string notes_;
   int number_ = 0;
   std::vector<SceneError> mistakes_;

@@ -17,9 +17,21 @@ constexpr double seconds_between_looks = 0.25;  // at the scene's files
 Viewer::Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene, ViewerHost& host)
     : state_(std::move(settings), *scene, host) {
   TakeScene(state_, std::move(scene));
+  if (state_.settings.shows_traced) state_.pictures.ShowLive({});
 }
 
+namespace {
+
+bool IsAction(const Event& event) {
+  if (const auto* key = std::get_if<KeyEvent>(&event)) return key->is_pressed;
+  if (const auto* button = std::get_if<ButtonEvent>(&event)) return button->is_pressed;
+  return std::holds_alternative<DropEvent>(event) || std::holds_alternative<CloseEvent>(event);
+}
+
+}  // namespace
+
 void Viewer::Handle(const Event& event) {
+  if (IsAction(event)) state_.notices.CountAction();
   if (state_.shows.panels || state_.shows.help) {
     if (!std::holds_alternative<TickEvent>(event)) state_.notices.Redraw();
     const bool is_taken = state_.panels->Take(event, state_);
@@ -43,11 +55,10 @@ void Viewer::On(const KeyEvent& event) {
   }
   for (const KeyBinding& binding : KeyBindings()) {
     if (binding.key != event.key || binding.modifiers != event.modifiers) continue;
-    if (event.key != Key::q) state_.end.was_asked = false;
     const std::string before = state_.notices.TakeMessage();
     binding.act(state_);
     // What was seen last is what is saved, of the end and of a screenshot.
-    if (state_.end.is_closed || state_.notices.Message().empty()) state_.notices.PutBack(before);
+    if (state_.is_closed || state_.notices.Message().empty()) state_.notices.PutBack(before);
     state_.notices.Redraw();
     return;
   }
@@ -88,17 +99,20 @@ bool Viewer::Update() {
     if (ShowsFrameOfQuad(state_) != lines_have_quad_frame_) state_.notices.RedrawLines();
     state_.notices.Redraw();
   }
-  state_.pictures.Update(state_.scene.Shared(), state_.SettingsOfView(), state_.settings.live_is_endless);
+  state_.pictures.Update(state_.scene.Shared(), state_.SettingsOfView(), state_.settings.budget_of_rest);
+  if (state_.scene.TakeFaces()) state_.notices.Redraw();
   TakeEndedJobs(state_);
   state_.status.Update(state_.pictures, state_.notices.Now());
   const bool has_costs = state_.accelerators.HasNews(), has_rows = HasNewRows();
-  if (has_costs || has_rows) state_.notices.Redraw();
+  const bool shows_traced = Pictures().ShownLive() != nullptr, is_fading = shows_traced && Pictures().Opacity() < 1;
+  const bool is_switched = std::exchange(showed_traced_, shows_traced) != shows_traced;
+  if (has_costs || has_rows || is_switched || std::exchange(was_fading_, is_fading)) state_.notices.Redraw();
   return state_.notices.TakeRedraw();
 }
 
 bool Viewer::HasNewRows() {
   std::vector<std::uint32_t> versions;
-  for (const RenderJob* job : {Pictures().Trace(), Pictures().Live()})
+  for (const RenderJob* job : {Pictures().Trace(), Pictures().Live(), Pictures().Depths()})
     for (int row = 0; job && row < job->frame().Height(); ++row) versions.push_back(job->frame().Version(row));
   if (versions == versions_) return false;
   versions_ = std::move(versions);
@@ -124,13 +138,11 @@ const std::vector<PanelItem>& Viewer::ItemsOfPanels() const {
   return state_.shows.panels || state_.shows.help ? state_.panels->Items() : none;
 }
 
-void Viewer::ShowPanels(const PanelSettings& look) { ray::ShowPanels(state_, look); }
-
-bool Viewer::TakeDetail(const DrawingDetail& detail) {
-  const bool is_news = state_.shows.panels && WordsFor(detail) != WordsFor(state_.screen.detail);
-  state_.screen.detail = detail;
-  return is_news;
+void Viewer::Reveal(const std::string& name) {
+  if (state_.shows.panels || state_.shows.help) state_.panels->Reveal(state_, name);
 }
+
+void Viewer::ShowPanels(const PanelSettings& look) { ray::ShowPanels(state_, look); }
 
 void Viewer::TellMistakes(const SceneErrors& mistakes) { TellProblems(state_, state_.settings.scene, mistakes); }
 

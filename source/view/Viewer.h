@@ -27,11 +27,11 @@ class Viewer {
   bool Update();
   /// Valid until the next call of Handle or Update.
   FrameState Show();
-  /// What a slow renderer draws instead of the faces while the view moves; null for these themselves.
-  std::shared_ptr<const Surfaces> FacesInMotion() { return state_.scene.FacesInMotion(); }
   /// Whether a picture is being traced, so that Update is soon worth a call.
-  bool IsBusy() const { return state_.pictures.IsBusy() || state_.accelerators.IsBusy(); }
-  bool IsClosed() const { return state_.end.is_closed; }
+  bool IsBusy() const {
+    return state_.pictures.IsBusy() || state_.accelerators.IsBusy() || state_.scene.IsMakingFaces();
+  }
+  bool IsClosed() const { return state_.is_closed; }
 
   /// The title as of the last Update. Time alone changes it, a few times a second; see TitleOf.
   std::string Title() const;
@@ -39,6 +39,8 @@ class Viewer {
   std::string InWords();
   /// What the panels and the help say, in lines; none where they are hidden.
   std::string TextOfPanels();
+  /// Scrolls what has a name that begins so into view in the panels.
+  void Reveal(const std::string& name);
   /// What takes clicks in the panels, as last drawn.
   const std::vector<PanelItem>& ItemsOfPanels() const;
 
@@ -46,8 +48,8 @@ class Viewer {
   void ShowPanels(const PanelSettings& look);
   /// The file of the settings has these mistakes, and the scene shown is another.
   void TellMistakes(const SceneErrors& mistakes);
-  /// The preview is drawn in that detail, which the status bar tells. Whether the last Show told something else.
-  bool TakeDetail(const DrawingDetail& detail);
+  /// Waits for the preview of the scene, so that Show has it.
+  void WaitForFaces() { state_.scene.TakeFaces(true); }
   /// Shows a message.
   void Tell(const std::string& message) { state_.notices.Tell(message); }
 
@@ -76,7 +78,7 @@ class Viewer {
 
   ViewerState state_;
   PointerInput pointer_;
-  bool has_ticked_ = false;
+  bool has_ticked_ = false, showed_traced_ = false, was_fading_ = false;
   double last_look_at_files_ = 0;  // seconds of ticks
   std::uint64_t changes_seen_ = 0;
   std::shared_ptr<const Lines> lines_;

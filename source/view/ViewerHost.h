@@ -21,7 +21,8 @@ struct ViewerSettings {
   AcceleratorSettings accelerator;
   RenderSettings render;  // of traced pictures; their size is that of the drawing
   ReferenceImage reference;
-  bool live_is_endless = false;  // live rendering without a budget goes on until it is stopped
+  bool shows_traced = false;    // from the start: what the view shows at rest is traced
+  bool budget_of_rest = false;  // no budget was asked for, see TracedPictures::Update
   PanelSettings panels{};        // how they look when they are first shown
 };
 

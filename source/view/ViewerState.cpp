@@ -41,27 +41,29 @@ Layout ViewerState::layout() const {
                     shows.panels ? panels->HeightOfBar() : 0, section.IsShown());
 }
 
-RenderSettings ViewerState::SettingsOfView() const {
+RenderSettings ViewerState::SettingsFor(const DrawingSize& size) const {
   RenderSettings render = settings.render;
-  render.width = screen.size.width;
-  render.height = screen.size.height;
+  render.width = size.width;
+  render.height = size.height;
   const Camera &own = scene.Parsed().camera, &now = navigator.camera();
   // The scene's own view is left unsaid, so that the same command as without a viewer makes the same picture.
   if (CameraLine(now) != CameraLine(own)) render.view = now;
   return render;
 }
 
-R3::Ray ViewerState::RayAt(const R2::Point& position) const {
+std::optional<R3::Ray> ViewerState::RayAt(const R2::Point& position) const {
   const DrawingSize view = layout().view;
+  if (pictures.ShownLive()) return navigator.camera().RayThrough(position.x, position.y, view.width, view.height);
   return navigator.camera().Through(position.x, position.y, view.width, view.height);
 }
 
 std::optional<R3::Point> ViewerState::PointAt(const R2::Point& position) const {
-  const R3::Ray ray = RayAt(position);
+  const auto ray = RayAt(position);
+  if (!ray) return {};
   Workspace workspace;
-  const auto hit = scene.Loaded().accelerator->Intersect(ray, workspace);
+  const auto hit = scene.Loaded().accelerator->Intersect(*ray, workspace);
   if (!hit) return {};
-  return scene.world().At(ray, *hit).position;
+  return scene.world().At(*ray, *hit).position;
 }
 
 const RenderJob* ViewerState::FlatJob() const { return flat.IsShown() ? pictures.Job() : nullptr; }
@@ -92,6 +94,12 @@ R2::Point ViewerState::InPicture(const R2::Point& position) const {
   const RenderSettings picture = SettingsOfPicture();
   return {(position.x - place.left) / place.width * picture.width,
           (position.y - place.bottom) / place.height * picture.height};
+}
+
+R2::Point ViewerState::InImage(const R2::Point& position) const {
+  const PixelBox place = layout().PlaceFor(screen.size.width, screen.size.height);
+  return {(position.x - place.left) / place.width * screen.size.width,
+          (position.y - place.bottom) / place.height * screen.size.height};
 }
 
 PixelBox ViewerState::PlaceOf(const RenderJob& job) const {

@@ -106,18 +106,18 @@ struct ViewerState {
     DrawingSize size;
     double scale = 1;           // pixels per unit of length
     R2::Point pointer{-1, -1};  // where it was last seen, in pixels of the drawing
-    DrawingDetail detail{};     // that the preview was drawn in last
   } screen;
-  struct {
-    bool was_asked = false, is_closed = false;
-  } end;
+  bool is_closed = false;
 
   Layout layout() const;
-  /// The settings to render the present view with.
-  RenderSettings SettingsOfView() const;
+  /// The settings to render what the view shows, pixel by pixel; and those of key S, for all of the drawing.
+  RenderSettings SettingsOfView() const { return SettingsFor(layout().view); }
+  RenderSettings SettingsOfImage() const { return SettingsFor(screen.size); }
   bool HasMovedCamera() const { return SettingsOfView().view.has_value(); }
-  /// The ray through a position in the drawing, and what it meets first; nothing where that is the background.
-  R3::Ray RayAt(const R2::Point& position) const;
+  /// The ray through a position in the drawing, of the projection that is seen there: the camera's own in a traced
+  /// image, else a pinhole's; nothing outside of its view.
+  std::optional<R3::Ray> RayAt(const R2::Point& position) const;
+  /// What it meets first; nothing where that is the background.
   std::optional<R3::Point> PointAt(const R2::Point& position) const;
 
   // The picture: the image shown flat, where one is, or the view.
@@ -136,10 +136,16 @@ struct ViewerState {
   PixelBox PlaceOf(const RenderJob& job) const;
   R2::Point PictureUnderPointer() const { return InPicture(screen.pointer); }
 
+  /// A position in the drawing as one in the image that key S renders.
+  R2::Point InImage(const R2::Point& position) const;
+
   /// The image of key S in space; nothing where it is not shown.
   std::optional<TracedQuad> Quad() const;
   /// How a message that something is open ends: "; the scene is unlit".
   std::string NotesAfterMessage() const { return scene.Notes().empty() ? "" : "; " + scene.Notes(); }
+
+ private:
+  RenderSettings SettingsFor(const DrawingSize& size) const;
 };
 
 }  // namespace ray

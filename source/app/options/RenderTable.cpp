@@ -58,6 +58,7 @@ std::vector<std::string> ImageExtensionNames() {
 }
 
 std::vector<std::string> PanelThemes() { return {panel_themes.begin(), panel_themes.end()}; }
+std::vector<std::string> PreviewNames() { return {preview_names.begin(), preview_names.end()}; }
 
 std::vector<std::string> ContextNames() { return {context_names.begin(), context_names.end()}; }
 
@@ -228,8 +229,12 @@ std::vector<OptionKind> ViewingOptions() {
        "record events as a script for -events"},
       {"reference", rayview, run, {}, {"file"}, FileName{AT_VIEW(view.reference), FileKind::image}, "", "viewer",
        "an image of the same scene to compare with"},
+      {"rays", rayview, run, {}, {"file"}, FileName{AT_VIEW(view.rays)}, "", "viewer",
+       "rays of another tracer, one per line: kind x y z x y z; the first that differs is named"},
       {"panels", rayview, run, {}, {"theme"}, OneOfNames(AT_VIEW(view.panels), PanelThemes), "", "viewer",
        "show panels from the start; key Tab toggles them"},
+      {"preview", rayview, run, {}, {"name"}, OneOfNames(AT_VIEW(view.preview), PreviewNames), "", "viewer",
+       "what a view at rest shows: the traced image, or OpenGL alone (auto: traced, but gl in scripts)"},
   };
 }
 

@@ -17,8 +17,11 @@ struct ViewOptions {
   std::string screenshot;        // gets the drawing after the last event
   std::string record;            // gets what happens, as a script
   std::string reference;         // picture to compare with
+  std::string rays;              // file of rays of another tracer
   std::string panels = "off";    // from the start, one of panel_themes
+  std::string preview = "auto";  // what the window shows at rest, one of preview_names
 };
+inline constexpr std::array preview_names{"auto", "traced", "gl"};
 inline constexpr std::array panel_themes{"off", "dark", "light"};
 inline constexpr std::array context_names{"auto", "egl", "osmesa"};
 

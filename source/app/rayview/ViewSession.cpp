@@ -31,6 +31,7 @@
 #include "source/text/Quoting.h"
 #include "source/view/EventScript.h"
 #include "source/view/Viewer.h"
+#include "source/view/commands/Commands.h"
 
 namespace ray {
 namespace {
@@ -78,7 +79,9 @@ std::string FreeRaysName() {
 
 ViewerSettings SettingsFor(const ViewerOptions& options) {
   ViewerSettings settings{options.files.scene, options.parse, options.accelerator, options.render, {}};
-  settings.live_is_endless = IsLookedAt(options.view) && !options.IsGiven("samples") && options.render.samples == 1;
+  settings.budget_of_rest = IsLookedAt(options.view) && !options.IsGiven("samples") && options.render.samples == 1;
+  settings.shows_traced = options.view.preview == "auto" ? IsLookedAt(options.view) && !options.view.exit_immediately
+                                                         : options.view.preview == "traced";
   return settings;
 }
 
@@ -124,6 +127,12 @@ class Recorder {
     passed_ = 0;
     text_ += ScriptLine(event);
   }
+  /// A click in the panels, which finds its place again wherever they are scrolled to.
+  void Keep(const ClickPanel& panel) {
+    if (passed_ > 0) text_ += ScriptLine(TickEvent{passed_});
+    passed_ = 0;
+    text_ += "panel " + panel.name + "\n";
+  }
   void Write() const {
     if (!file_) return;
     // Messages fade after the last event, too.
@@ -166,10 +175,12 @@ class Session : public ViewerHost {
 
   int Run() {
     if (window_) Happen(ResizeEvent{window_->Width(), window_->Height(), window_->Scale()});
+    if (!options_.view.rays.empty()) ShowForeignRays(viewer_.state(), options_.view.rays);
     if (!options_.view.events.empty())
       Follow(ReadScript(options_.view.events));
     else if (window_ && !options_.view.exit_immediately)
       Interact();
+    if (viewer_.state().settings.shows_traced && options_.view.exit_immediately) ShowWholeImage(false);
     Draw();
     for (const auto& output : {outputs_.output_image, outputs_.screenshot})
       if (output) Attempt([&] { return SaveDrawingTo(*output); });
@@ -303,6 +314,7 @@ class Session : public ViewerHost {
   }
 
   void Draw() {
+    viewer_.WaitForFaces();
     viewer_.Update();
     drawer_.Draw(viewer_.Show());
     if (!window_) return;
@@ -316,10 +328,7 @@ class Session : public ViewerHost {
     const auto refinement = detail_.RefinementTime();
     if (has_news || (refinement && now >= *refinement)) {
       FrameState shown = viewer_.Show();
-      const DrawingDetail detail = detail_.For(shown, now);
-      if (viewer_.TakeDetail(detail)) shown = viewer_.Show();
-      shown.detail = detail;
-      if (shown.detail.is_sparse) shown.faces_in_motion = viewer_.FacesInMotion();
+      shown.detail = detail_.For(shown, now);
       drawer_.Draw(shown);
       Canvas::Finish();
       detail_.Took(SecondsSince(start_) - now);
@@ -359,8 +368,9 @@ class Session : public ViewerHost {
         Happen(*event);
         DrawNewsInWindow();
       } else if (std::holds_alternative<WaitForTrace>(step)) {
-        viewer_.Update();
-        while (viewer_.IsBusy() && StopSignal() == 0) Pause();
+        WaitUntilIdle();
+      } else if (std::holds_alternative<WaitForImage>(step)) {
+        ShowWholeImage();
       } else if (const auto* rows = std::get_if<WaitForRows>(&step)) {
         while (viewer_.Pictures().IsTracing() && viewer_.Pictures().Trace()->RowsDone() < rows->rows &&
                StopSignal() == 0)
@@ -378,18 +388,31 @@ class Session : public ViewerHost {
       }
     }
   }
+  /// `ticks`: time passes, as it does for a user who looks on.
+  void WaitUntilIdle(bool ticks = true) {
+    viewer_.Update();
+    while (viewer_.IsBusy() && StopSignal() == 0) Pause(ticks);
+  }
+  /// Until the traced image is whole, which is shown from then on where it was not.
+  void ShowWholeImage(bool ticks = true) {
+    if (!viewer_.Pictures().IsLive()) ShowTraced(viewer_.state(), {});
+    WaitUntilIdle(ticks);
+    viewer_.Show();  // which may ask for the image's depths
+    WaitUntilIdle(ticks);
+  }
   /// All that was: scenes and pictures are dropped and read again after the outputs were checked at the start.
   std::vector<std::string> FilesRead() const {
     std::vector<std::string> files = inputs_;
     const std::vector<std::string>& of_scene = viewer_.scene().parsed.scene.files;
     files.insert(files.end(), of_scene.begin(), of_scene.end());
-    for (const std::string& file : {options_.view.events, options_.view.reference})
+    for (const std::string& file : {options_.view.events, options_.view.reference, options_.view.rays})
       if (!file.empty()) files.push_back(file);
     return files;
   }
 
   void Click(const ClickPanel& panel) {
     viewer_.Show();  // where things are by now
+    viewer_.Reveal(panel.name);
     const auto& items = viewer_.ItemsOfPanels();
     const auto item = std::ranges::find_if(items, [&](const PanelItem& i) { return i.name.starts_with(panel.name); });
     if (item == items.end()) {
@@ -397,8 +420,9 @@ class Session : public ViewerHost {
       return PrintError("rayview: the panels show no " + Quoted(panel.name));
     }
     const double x = item->x, y = item->y;
-    Happen(ButtonEvent{Button::left, true, x, y, {}});
-    Happen(ButtonEvent{Button::left, false, x, y, {}});
+    recorder_.Keep(panel);
+    viewer_.Handle(ButtonEvent{Button::left, true, x, y, {}});
+    viewer_.Handle(ButtonEvent{Button::left, false, x, y, {}});
     DrawNewsInWindow();
   }
   void DrawNewsInWindow() {
@@ -410,11 +434,11 @@ class Session : public ViewerHost {
     }
     ShowTitle();
   }
-  /// A moment passes, as it does for a user who looks on.
-  void Pause() {
+  /// A moment passes.
+  void Pause(bool ticks = true) {
     const auto before = Clock::now();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    Happen(TickEvent{SecondsSince(before)});
+    if (ticks) Happen(TickEvent{SecondsSince(before)});
     DrawNewsInWindow();
   }
 

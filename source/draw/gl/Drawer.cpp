@@ -12,7 +12,11 @@ constexpr R2::Color slider_color{1, 1, 1};
 constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 PictureLook LookOf(const FrameState::Picture& picture) {
-  return {.exposure = picture.exposure.factor, .srgb = picture.exposure.srgb, .rows = picture.rows};
+  return {.exposure = picture.exposure.factor,
+          .srgb = picture.exposure.srgb,
+          .truncated = picture.exposure.quantization == R2::Quantization::truncated,
+          .rows = picture.rows,
+          .alpha = picture.opacity};
 }
 
 int Whole(double pixels) { return static_cast<int>(std::lround(pixels)); }
@@ -45,20 +49,22 @@ void Drawer::Fit(PictureSlot& slot, int width, int height) {
 }
 
 const GpuPicture& Drawer::Upload(PictureSlot& slot, const FrameState::Picture& picture) {
-  if (picture.image) {
+  if (picture.image)
     UploadImage(slot, picture.image);
-  } else {
-    const Frame& frame = *picture.frame;
-    if (slot.number != picture.number || slot.image) {
-      slot.uploaded.reset();  // a new one is black
-      Fit(slot, frame.Width(), frame.Height());
-      slot.versions.assign(static_cast<std::size_t>(frame.Height()), 0);
-      slot.image.reset();
-      slot.number = picture.number;
-    }
-    UploadNewRows(slot, frame, picture.rows < 0 ? frame.Height() : picture.rows);
-  }
+  else
+    UploadFrame(slot, *picture.frame, picture.number, picture.rows < 0 ? picture.frame->Height() : picture.rows);
   return *slot.uploaded;
+}
+
+void Drawer::UploadFrame(PictureSlot& slot, const Frame& frame, std::uint64_t number, int rows) {
+  if (slot.number != number || slot.image) {
+    slot.uploaded.reset();  // a new one is black
+    Fit(slot, frame.Width(), frame.Height());
+    slot.versions.assign(static_cast<std::size_t>(frame.Height()), 0);
+    slot.image.reset();
+    slot.number = number;
+  }
+  UploadNewRows(slot, frame, rows);
 }
 
 void Drawer::UploadImage(PictureSlot& slot, const std::shared_ptr<const R2::Image>& image) {
@@ -85,24 +91,19 @@ void Drawer::UploadNewRows(PictureSlot& slot, const Frame& frame, int end) {
 }
 
 void Drawer::DrawScene(const FrameState& state) {
+  if (!state.faces) return;
   const SurfaceDrawer& surfaces = painter_.surfaces;
   GpuSurfaces& faces = Upload(faces_, state.faces, surfaces);
-  if (state.shows_faces) {
-    surfaces.SetShadows(faces, state.shows_shadows);
-    surfaces.DrawProbes(faces);
-  }
-  const DrawingDetail& detail = state.detail;
-  if (detail.is_sparse) surfaces.SetFewer(faces, state.faces_in_motion);
   const auto draw = [&] {
     surfaces.DrawSky(faces, state.seen_from);
-    if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from, detail);
+    if (state.shows_faces) surfaces.Draw(faces, state.clip_from_drawing, state.seen_from, state.shows_shadows);
   };
   const auto draw_all = [&] {
     painter_.canvas.Fill(state.background);
     draw();
   };
-  if (detail.pixel_step > 1) return painter_.coarse.Draw(detail.pixel_step, draw_all);
-  if (detail.is_smooth) return painter_.coarse.DrawSmoothly(draw_all);
+  if (state.detail.pixel_step > 1) return painter_.coarse.Draw(state.detail.pixel_step, draw_all);
+  if (state.detail.is_smooth) return painter_.coarse.DrawSmoothly(draw_all);
   draw();
 }
 
@@ -110,7 +111,12 @@ void Drawer::DrawPicture(const FrameState& state) {
   const auto draw = [&](PictureSlot& slot, const FrameState::Picture& picture) {
     painter_.pictures.DrawFlat(Upload(slot, picture), CornersOf(picture.place, state.view), LookOf(picture));
   };
+  if (state.picture->opacity < 1) DrawScene(state);
   draw(picture_, *state.picture);
+  if (const auto& depths = state.picture->depths; depths.frame) {
+    UploadFrame(depths_, *depths.frame, depths.number, depths.frame->Height());
+    painter_.pictures.DrawDepths(*depths_.uploaded, state.seen_from, state.clip_from_drawing, depths.unit);
+  }
   const int width = state.view.width, height = state.view.height;
   if (state.split < 0 || state.split >= width) return;
   // The rest is drawn over it.
@@ -142,7 +148,7 @@ void Drawer::Draw(const FrameState& state) {
     DrawPicture(state);
   else
     DrawScene(state);
-  if (state.shows_edges)
+  if (state.shows_edges && state.faces)
     painter_.surfaces.DrawEdges(Upload(faces_, state.faces, painter_.surfaces), clip, state.edge_color);
   if (state.quad && !is_covered)
     painter_.pictures.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));

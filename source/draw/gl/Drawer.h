@@ -37,6 +37,7 @@ class Drawer {
     std::shared_ptr<GpuPicture> uploaded;
   };
   const GpuPicture& Upload(PictureSlot& slot, const FrameState::Picture& picture);
+  void UploadFrame(PictureSlot& slot, const Frame& frame, std::uint64_t number, int rows);
   void UploadImage(PictureSlot& slot, const std::shared_ptr<const R2::Image>& image);
   void UploadNewRows(PictureSlot& slot, const Frame& frame, int end);
   /// Draws the surfaces and the background.
@@ -46,9 +47,9 @@ class Drawer {
   void Fit(PictureSlot& slot, int width, int height);
 
   Painter& painter_;
-  Slot<ScenePicture, GpuSurfaces> faces_;
+  Slot<PreviewScene, GpuSurfaces> faces_;
   Slot<Lines, GpuLines> lines_, marks_, lit_, crop_, section_;
-  PictureSlot quad_, picture_, beside_;
+  PictureSlot quad_, picture_, beside_, depths_;
   std::vector<float> rows_;
 };
 

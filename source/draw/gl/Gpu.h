@@ -6,40 +6,23 @@
 #include <vector>
 
 #include "source/draw/gl/Objects.h"
-#include "source/draw/gl/ShadowMaps.h"
-#include "source/draw/gl/SurfaceShader.h"
-#include "source/draw/preview/ScenePicture.h"
-#include "source/draw/preview/ShadowViews.h"
+#include "source/draw/preview/PreviewScene.h"
 
 /// What lists and pictures become on the GPU.
 namespace ray {
 
-struct GpuTriangles {
-  Buffer vertices, uvs, colors, indices;
+struct GpuSurfaces {
+  Buffer vertices, uvs, colors, indices, lights;
   VertexArray shaded;  // with normals and texture coordinates
   VertexArray plain;   // with positions alone
   std::vector<SurfaceBatch> batches;
-};
-
-struct GpuSurfaces {
-  GpuTriangles all;
-  std::shared_ptr<const Surfaces> fewer_of;  // what `fewer` shows; null for none
-  std::optional<GpuTriangles> fewer;
-  Buffer lights;
-  std::unordered_map<const Texture*, Texture2D> textures, reliefs;
+  std::unordered_map<const Texture*, Texture2D> textures;
   std::optional<Texture2D> environment;
-  DiffuseLight diffuse_light;
-  R2::Color background;
-  SurfaceFeatures features;
-  bool head_light = false;
-  std::vector<PreviewLight> preview_lights;
-  ShadowViews shadow_views;           // where there are shadows
-  std::optional<GpuShadows> shadows;  // none until they are first asked for
-  std::vector<MirrorProbe> probes;
-  std::vector<Texture2D> probe_maps;  // of each of them, once they were drawn
-  bool probes_have_shadows = false;   // as they were drawn
-  int mirror_bounces = 0;
-  ModeLook look;
+  bool has_colors = false;  // of vertices
+  R2::Color background, around;
+  PreviewLights preview_lights;
+  std::vector<ClipMatrix> shadow_views;  // of the first lights
+  std::optional<Texture2D> shadow_maps;  // an array of depths, one layer a view; none until first asked for
 };
 
 struct GpuLines {

@@ -34,7 +34,7 @@ uniform sampler2D picture;
 uniform sampler2D steps;
 uniform float exposure;
 uniform float alpha;
-uniform int srgb;
+uniform int srgb, bytes;  // the latter a row of steps
 uniform int rows;
 out vec4 color;
 
@@ -43,8 +43,8 @@ float Shown(float linear) {
   linear = min(linear, 1.0);
   float encoded = srgb == 0 ? linear : linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1.0 / 2.4) - 0.055;
   int guess = clamp(int(encoded * 255.0 + 0.5), 0, 255);
-  if (linear < texelFetch(steps, ivec2(guess, srgb), 0).r) --guess;
-  else if (guess < 255 && linear >= texelFetch(steps, ivec2(guess + 1, srgb), 0).r) ++guess;
+  if (linear < texelFetch(steps, ivec2(guess, bytes), 0).r) --guess;
+  else if (guess < 255 && linear >= texelFetch(steps, ivec2(guess + 1, bytes), 0).r) ++guess;
   return float(guess) / 255.0;
 }
 
@@ -57,13 +57,40 @@ void main() {
 }
 )";
 
+constexpr const char* depths_vertex_shader = R"(#version 330 core
+uniform vec3 directions[3];  // towards the lower left corner; from there to the right edge; and to the upper one
+out vec2 uv;
+out vec3 direction;
+void main() {
+  uv = vec2(gl_VertexID == 1 ? 2 : 0, gl_VertexID == 2 ? 2 : 0);
+  direction = directions[0] + uv.x * directions[1] + uv.y * directions[2];
+  gl_Position = vec4(2.0 * uv - 1.0, 0, 1);
+}
+)";
+
+constexpr const char* depths_fragment_shader = R"(#version 330 core
+in vec2 uv;
+in vec3 direction;
+uniform sampler2D picture;
+uniform vec3 eye;
+uniform float unit;
+uniform mat4 clip_from_drawing;
+void main() {
+  float distance = texture(picture, uv).r / unit;
+  // A little behind, by the slope of the surface over a pixel, so that lines on it are seen.
+  float behind = distance + min(fwidth(distance), 0.02 * distance) + 1e-3 * distance;
+  vec4 clip = clip_from_drawing * vec4(eye + behind * normalize(direction), 1);
+  gl_FragDepth = distance > 0.0 ? clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0) : 1.0;
+}
+)";
+
 constexpr GLint picture_unit = 0, steps_unit = 1;
 
 /// The least float that is written as `byte` or more. The bits of positive floats are in the order of their values.
-float FirstOf(int byte, bool srgb) {
+float FirstOf(int byte, bool srgb, R2::Quantization how) {
   if (byte == 0) return 0;
   const auto reaches = [&](float linear) {
-    return R2::ToByte(srgb ? R2::EncodeSrgb(double{linear}) : double{linear}) >= byte;
+    return R2::ToByte(srgb ? R2::EncodeSrgb(double{linear}) : double{linear}, how) >= byte;
   };
   auto below = std::bit_cast<std::uint32_t>(0.0F), reached = std::bit_cast<std::uint32_t>(1.0F);
   while (reached - below > 1) {
@@ -78,11 +105,13 @@ void UseNearest() { ReadFirstLevel(GL_TEXTURE_2D, GL_NEAREST); }
 }  // namespace
 
 PictureDrawer::PictureDrawer() : program_("pictures", vertex_shader, fragment_shader) {
-  std::array<float, 512> steps{};
-  for (int byte = 0; byte < 256; ++byte)
-    for (int srgb : {0, 1}) steps[static_cast<std::size_t>(srgb * 256 + byte)] = FirstOf(byte, srgb == 1);
+  std::array<float, 1024> steps{};
+  for (const auto how : {R2::Quantization::rounded, R2::Quantization::truncated})
+    for (int byte = 0; byte < 256; ++byte)
+      for (int srgb : {0, 1})
+        steps[static_cast<std::size_t>((2 * static_cast<int>(how) + srgb) * 256 + byte)] = FirstOf(byte, srgb == 1, how);
   glBindTexture(GL_TEXTURE_2D, steps_.Name());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 256, 2, 0, GL_RED, GL_FLOAT, steps.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 256, 4, 0, GL_RED, GL_FLOAT, steps.data());
   UseNearest();
 }
 
@@ -119,6 +148,7 @@ void PictureDrawer::Draw(const GpuPicture& picture, const std::array<std::array<
   glUniform1f(program_["exposure"], static_cast<float>(look.exposure));
   glUniform1f(program_["alpha"], static_cast<float>(look.alpha));
   glUniform1i(program_["srgb"], look.srgb ? 1 : 0);
+  glUniform1i(program_["bytes"], (look.truncated ? 2 : 0) + (look.srgb ? 1 : 0));
   glUniform1i(program_["rows"], look.rows < 0 ? std::numeric_limits<GLint>::max() : look.rows);
   glUniform1i(program_["picture"], picture_unit);
   glUniform1i(program_["steps"], steps_unit);
@@ -138,6 +168,26 @@ void PictureDrawer::DrawFlat(const GpuPicture& picture, const std::array<std::ar
   glDisable(GL_DEPTH_TEST);  // which leaves depth unwritten as well
   Draw(picture, corners, as_it_is, look);
   glEnable(GL_DEPTH_TEST);
+}
+
+void PictureDrawer::DrawDepths(const GpuPicture& distances, const PreviewView& view,
+                               const ClipMatrix& clip_from_drawing, double unit) const {
+  if (!depths_)
+    depths_ = std::make_unique<ShaderProgram>("depths of pictures", depths_vertex_shader, depths_fragment_shader);
+  depths_->Use();
+  glUniform1i((*depths_)["picture"], picture_unit);
+  glUniform3fv((*depths_)["directions"], 3, view.directions[0].data());
+  glUniform3fv((*depths_)["eye"], 1, view.eye.data());
+  glUniform1f((*depths_)["unit"], AsFloat(unit));
+  SetMatrix((*depths_)["clip_from_drawing"], clip_from_drawing);
+  glActiveTexture(GL_TEXTURE0 + picture_unit);
+  glBindTexture(GL_TEXTURE_2D, distances.texture.Name());
+  glBindVertexArray(nothing_.Name());
+  glDepthFunc(GL_ALWAYS);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthFunc(GL_LEQUAL);
 }
 
 void PictureDrawer::Draw(const GpuPicture& picture, const PictureLook& look) const {

@@ -7,6 +7,7 @@
 
 #include "source/draw/gl/Gpu.h"
 #include "source/draw/gl/ShaderProgram.h"
+#include "source/draw/preview/PreviewView.h"
 
 namespace ray {
 
@@ -15,6 +16,7 @@ namespace ray {
 struct PictureLook {
   double exposure = 1;
   bool srgb = false;
+  bool truncated = false;  // to bytes, as R2::Quantization has it
   int rows = -1;  // -1: all
   double alpha = 1;
 };
@@ -36,13 +38,18 @@ class PictureDrawer {
   /// Over all else, without depth: corners as above, in the square from -1 to 1 that is the viewport.
   void DrawFlat(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
                 const PictureLook& look) const;
+  /// Writes the depth alone of what a picture of distances from the eye shows over the viewport; 0 is endlessly far.
+  ///   unit   the length of 1 in the drawing space, in units of the distances
+  void DrawDepths(const GpuPicture& distances, const PreviewView& view, const ClipMatrix& clip_from_drawing,
+                  double unit) const;
   /// Over the viewport, from corner to corner.
   void Draw(const GpuPicture& picture, const PictureLook& look) const;
 
  private:
   ShaderProgram program_;
+  mutable std::unique_ptr<ShaderProgram> depths_;  // once there are some
   VertexArray nothing_;  // the corners come as uniforms
-  Texture2D steps_;      // where bytes begin; row 0 linear, row 1 sRGB
+  Texture2D steps_;      // where bytes begin: a row for linear, sRGB, and both truncated
 };
 
 }  // namespace ray

@@ -2,16 +2,12 @@
 
 #include <string>
 
-#include "source/integrate/Integrators.h"
-
 namespace ray {
 
-/// What a scene asks of the shader of its surfaces; what it does not ask for is not compiled.
+/// What a scene asks of the shader of its surfaces; what it does not ask for is not compiled, since a renderer in
+/// software runs both sides of each branch.
 struct SurfaceFeatures {
-  bool textures = false, vertex_colors = false, bumps = false, normal_maps = false, specular_maps = false,
-       environment = false, diffuse_light = false, clear = false, coats = false, fresnel = false, shadows = false,
-       discs = false, mirrors = true, probes = false;
-  RenderMode mode = RenderMode::whitted;  // path and those that are not previewed are whitted
+  bool textures = false, environment = false, mirrors = false, shadows = false;
   friend bool operator==(const SurfaceFeatures&, const SurfaceFeatures&) = default;
 };
 

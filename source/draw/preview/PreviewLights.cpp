@@ -4,17 +4,14 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
-#include <optional>
 
 #include "R1/Elementary.h"
-#include "source/draw/Drawing.h"
+#include "R3/Warp.h"
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/TriangleLamp.h"
 
 namespace ray {
 namespace {
-
-constexpr double flatness = 1e-6;  // how far off its plane a flat thing may be, of its width
 
 /// Attenuation in the world, of distances in the drawing space.
 void SetFalloff(PreviewLight& light, double constant, double linear, double quadratic, double radius) {
@@ -49,7 +46,6 @@ PreviewLight Known(const Light& light, const DrawingSpace& space) {
     known.direction = AsFloats(Unit(vector(6)));
     known.least_cosine = is_spot ? R1::Cos(a[12]) : 0;
     known.exponent = is_spot ? a[13] : 1;
-    known.is_disc = is_area && known.radius > 0;
   }
   return known;
 }
@@ -58,38 +54,14 @@ PreviewLight Known(const Light& light, const DrawingSpace& space) {
 struct Emitter {
   R2::Color emission;
   R3::Point middle;
-  double area = 0;                     // as it looks from somewhere
-  int lamps = 1;                       // each of which shines with its full color, where emission is no radiance
-  std::optional<R3::Vector> normal{};  // unit; where all of it lies in one plane
+  double area = 0;  // as it looks from somewhere
+  int lamps = 1;    // each of which shines with its full color, where emission is no radiance
 };
-
-/// The unit normal of the plane that a lamp lies in, if it lies in one.
-std::optional<R3::Vector> NormalOf(const TriangleLamp& lamp) {
-  const EmissiveTriangle& first = lamp.Triangles().front();
-  const R3::Vector normal = Unit(AsVector(first.normal));
-  const auto is_in_plane = [&](const EmissiveTriangle& triangle) {
-    return std::ranges::all_of(triangle.corners, [&](const R3::Point& corner) {
-      const R3::Vector way = corner - first.corners[0];
-      return std::abs(Dot(way, normal)) <= flatness * Length(way);
-    });
-  };
-  return std::ranges::all_of(lamp.Triangles(), is_in_plane) ? std::optional(normal) : std::nullopt;
-}
-
-/// On the side of the scene's middle, where most of what it lights is.
-void SetFlat(PreviewLight& light, const R3::Vector& normal, double radius) {
-  const auto& p = light.place;
-  const bool is_away = Dot(R3::Vector{p[0], p[1], p[2]}, normal) > 0;
-  light.direction = AsFloats(is_away ? -normal : normal);
-  light.radius = radius;
-  light.is_flat = light.casts_shadows = true;
-}
 
 PreviewLight LightOf(const Emitter& emitter, bool is_radiance, const DrawingSpace& space) {
   PreviewLight light;
   light.place = space.At(emitter.middle);
-  light.casts_shadows = false;  // it would be in that of its own surface
-  if (emitter.normal) SetFlat(light, *emitter.normal, std::sqrt(2 * emitter.area / std::numbers::pi) / space.radius);
+  light.radius = std::sqrt(emitter.area / std::numbers::pi) / space.radius;
   light.color = (is_radiance ? emitter.area / std::numbers::pi : emitter.lamps) * emitter.emission;
   if (is_radiance) SetFalloff(light, 0, 0, 1, space.radius);
   return light;
@@ -103,11 +75,10 @@ std::vector<Emitter> EmittingMeshes(const World& world, EmissiveMeshes meshes) {
     const R3::Point middle = lamp.Bound().center;
     const double area = lamp.Area() / 2;  // turned this way and that, a triangle looks half as large as it is
     if (lamp.instance() != last) {
-      emitters.push_back({lamp.Emission(), middle, area, 1, NormalOf(lamp)});
+      emitters.push_back({lamp.Emission(), middle, area, 1});
     } else {
       Emitter& emitter = emitters.back();
       ++emitter.lamps;
-      emitter.normal.reset();
       emitter.area += area;
       emitter.middle = emitter.middle + (middle - emitter.middle) / emitter.lamps;
     }
@@ -157,6 +128,31 @@ PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings
   found.head_light = lights.empty() && !has_environment && !is_lit_by_background && IsBlack(scene.ambient) &&
                      std::ranges::none_of(world.Instances(), Shines);
   return found;
+}
+
+ClipMatrix ShadowViewOf(const PreviewLight& light) {
+  constexpr double reach = 1.02;                         // of the scene from its middle, in its radii, and a little more
+  constexpr double widest = 75 * std::numbers::pi / 180;  // from the middle of a view to its edge
+  constexpr double nearest_of_farthest = 1e-3;            // with 24 bits of depth
+  const auto as_vector = [](const std::array<float, 3>& v) { return R3::Vector{v[0], v[1], v[2]}; };
+  const R3::Vector eye = as_vector(light.place);
+  if (light.is_infinite) {
+    const R3::Tangents across = R3::TangentsOf(-eye);
+    return FromRows({Row(across.first / reach, 0), Row(across.second / reach, 0), Row(-eye / reach, 0), Row({}, 1)});
+  }
+  const double distance = Length(eye), farthest = distance + reach;
+  double half_angle = distance > reach ? std::min(widest, R1::Asin(reach / distance)) : widest;
+  R3::Vector towards = distance > 0 ? -eye / distance : R3::Vector{0, -1, 0};
+  if (light.least_cosine >= -1 && distance <= reach / R1::Sin(widest)) towards = as_vector(light.direction);
+  if (const double spot = 1.01 * R1::Acos(std::clamp(light.least_cosine, -1.0, 1.0)) + 1e-3; spot < half_angle) {
+    half_angle = spot;
+    towards = as_vector(light.direction);
+  }
+  const double nearest = std::max({1.01 * light.radius, distance - reach, nearest_of_farthest * farthest});
+  const double scale = 1 / R1::Tan(half_angle);
+  const R3::Tangents across = R3::TangentsOf(towards);
+  return Perspective(eye, towards, scale * across.first, scale * across.second, std::min(nearest, farthest / 2),
+                     farthest);
 }
 
 }  // namespace ray

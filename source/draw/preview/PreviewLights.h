@@ -1,16 +1,17 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
+#include "R2/Color.h"
+#include "R3/Vector.h"
 #include "source/accelerate/World.h"
 #include "source/draw/Drawing.h"
 #include "source/render/RenderSettings.h"
 
 namespace ray {
 
-/// A light as the shader of the preview knows it, in a DrawingSpace. What it sends to a point at the distance d is
+/// A light in the terms of the preview's shader, in a DrawingSpace. What it sends to a point at the distance d is
 ///     color (cos a)^exponent / (constant + linear d + quadratic d^2),
 /// a being the angle to `direction`, and nothing where cos a is below `least_cosine` or not above 0; with a
 /// least_cosine below -1 the cosine does not count, and without attenuation there is no division.
@@ -24,14 +25,11 @@ struct PreviewLight {
   std::array<float, 3> direction{0, 0, 1};  // of its middle, away from the light; unit
   double least_cosine = everywhere, exponent = 0;
   double constant = 1, linear = 0, quadratic = 0;  // of distances in the drawing space
-  double radius = 0;                               // of its sphere or disc
-  bool is_disc = false;                            // about its place, across its direction; with a radius > 0
-  bool is_flat = false;  // a point, but its shadows are those of the disc of that radius across its direction
-  bool casts_shadows = true;
+  double radius = 0;                               // of its lamp, within which nothing casts a shadow
 };
 
-/// So many fit into the smallest uniform block that OpenGL 3.3 allows, 16 KiB, four times.
-inline constexpr std::size_t most_preview_lights = 64;
+/// The lights of a preview, and of these the ones that cast shadows.
+inline constexpr std::size_t most_preview_lights = 8, most_preview_shadows = 2;
 
 struct PreviewLights {
   std::vector<PreviewLight> lights;  // at most most_preview_lights, the strongest first
@@ -39,11 +37,14 @@ struct PreviewLights {
   bool head_light = false;           // nothing shines in the scene: a light at the eye shows it
 };
 
-/// The lights that reach the scene in the settings' mode, as points and discs: sphere lights at their middle, what
-/// emits at its middle too, all triangles of a mesh as one. In mode whitted what emits shines as a point without
-/// fall-off, in mode path as its area over the square of the distance; see EmissiveTriangle and EmissiveShape. Of what
-/// emits, meshes in one plane cast shadows: the others would be in that of their own surface.
-/// Strongest is what sends most to the middle of the scene.
+/// Finds the lights that reach the scene in the settings' mode, as points: what has a size, also what emits, at its
+/// middle, and the triangles of a mesh as one. In mode whitted what emits shines as a point without fall-off, in mode
+/// path as its area over the square of the distance. Strongest is what sends most to the middle of the scene.
 PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings, const DrawingSpace& space);
+
+/// Returns the view of a light for its shadow map: of all of the scene from a light outside of it, and else of 150
+/// degrees in its direction or towards the scene's middle.
+///   source   Williams, Casting curved shadows on curved surfaces (1978)
+ClipMatrix ShadowViewOf(const PreviewLight& light);
 
 }  // namespace ray

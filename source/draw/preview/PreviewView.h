@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "R2/ImageFile.h"
 #include "source/draw/CameraMoves.h"
 
 namespace ray {
@@ -10,6 +11,7 @@ namespace ray {
 struct Exposure {
   double factor = 1;
   bool srgb = false;
+  R2::Quantization quantization = R2::Quantization::rounded;  // of pixels of images
 };
 
 /// From where a scene is seen, in its drawing space.
@@ -18,7 +20,6 @@ struct PreviewView {
   /// Towards the lower left corner; what is to be added for the lower right, and for the upper left one.
   std::array<std::array<float, 3>, 3> directions{};
   Exposure exposure;
-  std::array<float, 2> depths{};  // of the nearest and the farthest surface seen, where the mode shows how far they are
 };
 
 PreviewView ViewFrom(const Camera& camera, const DrawingSpace& space, const DrawingSize& size,

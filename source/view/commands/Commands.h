@@ -84,10 +84,15 @@ void StartTrace(ViewerState& viewer);
 /// The next render takes this rectangle alone, between two positions in the drawing, of the view.
 void Crop(ViewerState& viewer, const R2::Point& from, const R2::Point& to);
 void ClearCrop(ViewerState& viewer);
-/// `mode`: instead of the settings' own; nothing for that.
-void ToggleLive(ViewerState& viewer, std::optional<RenderMode> mode);
-/// Live rendering of one mode; nothing for none.
-void ShowLayer(ViewerState& viewer, std::optional<RenderMode> mode);
+/// Shows the traced image, in that mode; nothing for the settings' own.
+void ShowTraced(ViewerState& viewer, std::optional<RenderMode> mode);
+/// Shows the preview alone.
+void ShowPreview(ViewerState& viewer);
+void ToggleTraced(ViewerState& viewer);
+/// Shows the traced image in that mode, or as before where it is shown so.
+void ToggleMode(ViewerState& viewer, RenderMode mode);
+/// Stops or continues the traced image; shows it where it is not shown.
+void PauseOrResume(ViewerState& viewer);
 void ToggleDenoising(ViewerState& viewer);
 /// Saves and keeps what has ended since the last call; to be called now and then.
 void TakeEndedJobs(ViewerState& viewer);
@@ -130,6 +135,8 @@ void ToggleGrid(ViewerState& viewer);
 /// Shows the rays of the pixel at a position of the drawing: of the rendered image if that is seen there, else of the
 /// view.
 void DebugPixelAt(ViewerState& viewer, const R2::Point& position);
+/// Shows rays of another tracer beside ours, of the pixel that they start from, and tells the first that differs.
+void ShowForeignRays(ViewerState& viewer, const std::string& file);
 /// Goes to the pixel next to it, or moves the cross section, whichever was used last.
 void MoveByArrow(ViewerState& viewer, int right, int up);
 void ForgetPixel(ViewerState& viewer);
@@ -150,6 +157,8 @@ void ToggleSection(ViewerState& viewer);
 void ShowSection(ViewerState& viewer, SlicePlane plane);
 void NextPlane(ViewerState& viewer);
 void MoveSection(ViewerState& viewer, int by);
+/// Moves it to the row under the pointer, where it is along a row of the image and the pointer is over the view.
+void FollowByCut(ViewerState& viewer);
 /// How wide all lines are, in pixels: wider on denser screens.
 int LineWidth(const ViewerState& viewer);
 /// Makes its drawing again where that is due; it is shown.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "source/text/Words.h"
+#include "source/view/edit/SceneFiles.h"
 
 namespace ray {
 namespace {
@@ -14,19 +15,19 @@ constexpr const char* no_rays = "no rays are shown; press G or right-click a pix
 
 /// What a grid of rays is of: the rendered image, or the view.
 RenderSettings SettingsOfGrid(const ViewerState& viewer) {
-  return viewer.pictures.Trace() ? viewer.pictures.Trace()->Settings() : viewer.SettingsOfView();
+  return viewer.pictures.Trace() ? viewer.pictures.Trace()->Settings() : viewer.SettingsOfImage();
 }
 
 /// The pixel of the rendered image that is seen there on its quad.
 std::optional<TracedQuad::Meeting> PixelOnQuad(const ViewerState& viewer, const R2::Point& position) {
   const auto quad = viewer.Quad();
   if (!quad) return {};
-  const R3::Ray ray = viewer.RayAt(position);
-  const auto meeting = quad->MeetingWith(ray);
+  const auto ray = viewer.RayAt(position);
+  const auto meeting = ray ? quad->MeetingWith(*ray) : std::nullopt;
   if (!meeting) return {};
   // What stands before the quad is meant rather than it.
   const auto nearer = viewer.PointAt(position);
-  if (nearer && Length(*nearer - ray.origin) < Length(ray.At(meeting->t) - ray.origin)) return {};
+  if (nearer && Length(*nearer - ray->origin) < Length(ray->At(meeting->t) - ray->origin)) return {};
   return meeting;
 }
 
@@ -42,8 +43,13 @@ void ReportPixel(ViewerState& viewer) {
   viewer.section_pane.takes_arrows = false;
   const PixelTrace& pixel = *viewer.rays.Pixel();
   viewer.host.Print(RayTree(pixel, viewer.scene.world(), viewer.rays.PixelSettings()));
+  const auto& difference = viewer.rays.Difference();
+  const std::string found = viewer.rays.Foreign().empty() ? std::string()
+                            : difference ? "; the first of the other rays that differs: " + difference->text
+                                         : "; the other rays are as ours";
+  if (!found.empty()) viewer.host.Print(found.substr(2));
   viewer.notices.Tell("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
-                      Counted(pixel.rays.size(), "ray") + viewer.rays.WhatIsLeftOut());
+                      Counted(pixel.rays.size(), "ray") + viewer.rays.WhatIsLeftOut() + found);
   viewer.notices.RedrawLines();
 }
 
@@ -68,6 +74,29 @@ void DebugPixelAt(ViewerState& viewer, const R2::Point& position) {
     if (p.x < 0 || p.y < 0 || p.x >= settings.width || p.y >= settings.height) return;
     viewer.rays.TracePixel(viewer.scene.Loaded(), settings, static_cast<int>(p.x), static_cast<int>(p.y));
   }
+  ReportPixel(viewer);
+}
+
+void ShowForeignRays(ViewerState& viewer, const std::string& file) {
+  ForeignRays foreign;
+  try {
+    const auto text = ReadSceneFile(file);
+    if (!text) throw SceneErrors({ErrorIn(file, "the file cannot be read")});
+    foreign = ReadForeignRays({file, *text});
+  } catch (const std::exception& error) {
+    return TellProblems(viewer, file, error);
+  }
+  viewer.notices.RedrawLines();
+  RenderSettings settings = viewer.SettingsOfView();
+  settings.trace.sampler = SamplerKind::grid;  // through the middle of the pixel
+  settings.samples = 1;
+  const auto pixel = PixelOf(foreign, viewer.navigator.camera(), settings);
+  const std::string count = Counted(foreign.rays.size(), "ray");
+  viewer.rays.SetForeign(std::move(foreign.rays));
+  if (!pixel)
+    return viewer.notices.Tell(count + " of " + file +
+                               "; none of them is a camera ray through the image, so right-click its pixel");
+  viewer.rays.TracePixel(viewer.scene.Loaded(), settings, pixel->column, pixel->row);
   ReportPixel(viewer);
 }
 
@@ -131,8 +160,8 @@ void SetDebugRays(ViewerState& viewer, const DebugRayCounts& counts) {
   viewer.section_pane.drawing.reset();
   viewer.notices.RedrawLines();
   viewer.notices.Tell(Counted(static_cast<std::uint64_t>(counts.camera), "camera ray") + " per pixel, " +
-                      Counted(static_cast<std::uint64_t>(counts.shadow), "shadow ray") + " per light; cut: 1 of " +
-                      Counted(static_cast<std::uint64_t>(counts.spacing), "pixel"));
+                      Counted(static_cast<std::uint64_t>(counts.shadow), "shadow ray") + " per light; cut: " +
+                      Counted(static_cast<std::uint64_t>(counts.in_cut), "pixel"));
 }
 
 void ToggleSection(ViewerState& viewer) {
@@ -152,6 +181,15 @@ void NextPlane(ViewerState& viewer) {
   TellPlane(viewer);
 }
 
+void FollowByCut(ViewerState& viewer) {
+  const R2::Point& pointer = viewer.screen.pointer;
+  if (!viewer.section.IsShown() || viewer.FlatJob() || pointer.x < 0 || pointer.x >= viewer.layout().view.width) return;
+  const double y = viewer.InImage(pointer).y;
+  if (!(y >= 0 && y < viewer.screen.size.height) || !viewer.section.MoveTo(static_cast<int>(y))) return;
+  viewer.section_pane.drawing.reset();
+  viewer.notices.Redraw();
+}
+
 void MoveSection(ViewerState& viewer, int by) {
   viewer.section.Move(by, viewer.screen.size.height);
   TellPlane(viewer);
@@ -166,7 +204,7 @@ void MakeSection(ViewerState& viewer) {
     return;
   viewer.section_pane.size = viewer.layout().section;
   viewer.section_pane.theme = theme;
-  viewer.section.Cut(viewer.scene.Loaded(), viewer.SettingsOfView(), viewer.navigator.Center(),
+  viewer.section.Cut(viewer.scene.Loaded(), viewer.SettingsOfImage(), viewer.navigator.Center(),
                      viewer.section_pane.size, viewer.rays.Counts());
   SliceAxes drawing = viewer.section.Drawing(viewer.scene.Loaded(), viewer.rays.Look().WithoutChoice(),
                                              viewer.panels->Letters(), LineWidth(viewer));

@@ -38,17 +38,17 @@ void StartTrace(ViewerState& viewer) {
                                  CameraLine(viewer.navigator.camera()), viewer.screen.size, viewer.crop};
   const bool continues = viewer.pictures.CanContinue() && as == viewer.traced_as;
   viewer.traced_as = as;
-  RenderSettings settings = viewer.SettingsOfView();
+  RenderSettings settings = viewer.SettingsOfImage();
   settings.crop = viewer.crop;
   viewer.pictures.StartTrace(viewer.scene.Shared(), settings, continues);
-  viewer.pictures.HideLive();
+  viewer.pictures.Suspend();
   viewer.overlays.quad = true;
   viewer.notices.Tell(continues ? "rendering continues where it was stopped" : "rendering");
   viewer.notices.RedrawLines();
 }
 
 void Crop(ViewerState& viewer, const R2::Point& from, const R2::Point& to) {
-  const R2::Point a = viewer.InPicture(from), b = viewer.InPicture(to);
+  const R2::Point a = viewer.InImage(from), b = viewer.InImage(to);
   const auto pixel = [](double x, int size) { return std::clamp(static_cast<int>(std::floor(x)), 0, size - 1); };
   const int x0 = pixel(std::min(a.x, b.x), viewer.screen.size.width),
             x1 = pixel(std::max(a.x, b.x), viewer.screen.size.width) + 1;
@@ -64,22 +64,34 @@ void ClearCrop(ViewerState& viewer) {
   viewer.notices.Tell("crop cleared; S renders the whole view");
 }
 
-void ToggleLive(ViewerState& viewer, std::optional<RenderMode> mode) {
-  if (viewer.pictures.IsLive() && viewer.pictures.LiveMode() == mode)
-    viewer.pictures.HideLive();
-  else
-    viewer.pictures.ShowLive(mode);
+void ShowTraced(ViewerState& viewer, std::optional<RenderMode> mode) {
+  viewer.pictures.ShowLive(mode);
+  viewer.pictures.Update(viewer.scene.Shared(), viewer.SettingsOfView(), viewer.settings.budget_of_rest);
   viewer.notices.RedrawLines();
-  const std::string what = NameOf(mode.value_or(viewer.settings.render.mode));
-  if (!viewer.pictures.IsLive()) return viewer.notices.Tell("live rendering off");
-  viewer.pictures.Update(viewer.scene.Shared(), viewer.SettingsOfView(), viewer.settings.live_is_endless);
-  const bool is_endless = viewer.pictures.Live()->Settings().budget.is_endless;
-  viewer.notices.Tell("live rendering, mode " + what + (is_endless ? ", until stopped" : ""));
+  viewer.notices.Tell(std::string("traced, mode ") + NameOf(mode.value_or(viewer.settings.render.mode)));
 }
 
-void ShowLayer(ViewerState& viewer, std::optional<RenderMode> mode) {
-  if (mode ? !viewer.pictures.IsLive() || viewer.pictures.LiveMode() != mode : viewer.pictures.IsLive())
-    ToggleLive(viewer, mode ? mode : viewer.pictures.LiveMode());
+void ShowPreview(ViewerState& viewer) {
+  viewer.pictures.HideLive();
+  viewer.notices.RedrawLines();
+  viewer.notices.Tell("preview");
+}
+
+void ToggleTraced(ViewerState& viewer) { viewer.pictures.IsLive() ? ShowPreview(viewer) : ShowTraced(viewer, {}); }
+
+void ToggleMode(ViewerState& viewer, RenderMode mode) {
+  if (!viewer.pictures.IsLive() || viewer.pictures.LiveMode() != mode) return ShowTraced(viewer, mode);
+  viewer.settings.shows_traced ? ShowTraced(viewer, {}) : ShowPreview(viewer);
+}
+
+void PauseOrResume(ViewerState& viewer) {
+  if (!viewer.pictures.IsLive()) return ShowTraced(viewer, {});
+  if (viewer.pictures.IsPaused()) {
+    viewer.pictures.ResumeLive();
+    return viewer.notices.Tell("tracing continues");
+  }
+  viewer.notices.Tell(viewer.pictures.StopLive() ? "tracing is paused; P continues it"
+                                                 : "the image has all its samples; Shift+P shows the preview");
 }
 
 void ToggleDenoising(ViewerState& viewer) {

@@ -1,11 +1,18 @@
 #include "source/view/commands/Commands.h"
 
+#include <filesystem>
 #include <utility>
 
 #include "source/view/edit/SceneFiles.h"
 
 namespace ray {
 namespace {
+
+/// Whether a file holds rays of another tracer.
+bool HoldsForeignRays(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension();
+  return (extension == ".rays" || extension == ".obj") && IsForeignRays({file, ReadSceneFile(file).value_or("")});
+}
 
 std::shared_ptr<const LoadedScene> Load(const std::string& file, const ViewerSettings& settings) {
   return std::make_shared<LoadedScene>(file, settings.parse, settings.accelerator);
@@ -21,7 +28,7 @@ void TakeSettings(ViewerState& viewer, const Scene& scene) {
   const auto settings = viewer.host.SettingsWith(scene);
   if (!settings) return;
   viewer.settings.render = settings->render;
-  viewer.settings.live_is_endless = settings->live_is_endless;
+  viewer.settings.budget_of_rest = settings->budget_of_rest;
 }
 
 /// The scene from the disk, or as it is edited.
@@ -75,7 +82,7 @@ void ChangeOption(ViewerState& viewer, const std::string& name, const std::strin
   viewer.settings.parse = changed.parse;
   viewer.settings.accelerator = changed.accelerator;
   viewer.settings.render = changed.render;
-  viewer.settings.live_is_endless = changed.live_is_endless;
+  viewer.settings.budget_of_rest = changed.budget_of_rest;
   if (is_read_again) return Reload(viewer);
   MakeFaces(viewer);
   viewer.pictures.Touch();
@@ -121,7 +128,7 @@ void ReadFromDisk(ViewerState& viewer) {
 
 void TellOfChangedFiles(ViewerState& viewer) {
   if (!viewer.editor.HasUnsaved()) return ReadFromDisk(viewer);
-  viewer.notices.Tell("the scene has changed on the disk; your changes stay, Control+Shift+S saves them as a copy");
+  viewer.notices.Tell("the scene has changed on the disk; your changes stay, Control+S saves them");
 }
 
 void TellProblems(ViewerState& viewer, const std::string& file, const std::exception& error) {
@@ -136,7 +143,9 @@ void OpenScene(ViewerState& viewer, const std::string& file) {
     viewer.pictures.SetReference(std::move(picture));
     return viewer.notices.Tell("the reference is " + file);
   }
-  if (!viewer.editor.MayLose("open another scene")) return;
+  if (std::error_code error; std::filesystem::is_regular_file(file, error) && HoldsForeignRays(file))
+    return ShowForeignRays(viewer, file);
+  if (!viewer.editor.MayLose("open " + file)) return;
   try {
     ViewerSettings unedited = viewer.settings;
     unedited.parse.edited.reset();

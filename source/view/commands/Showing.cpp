@@ -37,12 +37,10 @@ void Peel(ViewerState& viewer) {
 
 void Quit(ViewerState& viewer) {
   if (!viewer.editor.MayLose("quit")) return;
-  if (!viewer.pictures.IsTracing() || viewer.end.was_asked) {
-    viewer.end.is_closed = true;
+  if (viewer.pictures.IsTracing() &&
+      !viewer.notices.Confirms("still rendering; Q, or closing the window, once more quits without saving"))
     return;
-  }
-  viewer.end.was_asked = true;
-  viewer.notices.Tell("still rendering; Q, or closing the window, once more quits without saving");
+  viewer.is_closed = true;
 }
 
 void ToggleLights(ViewerState& viewer) {

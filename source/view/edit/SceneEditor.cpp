@@ -114,21 +114,16 @@ void SceneEditor::Forget() {
   saved_.clear();
   light_.reset(), material_.reset(), drag_.reset();
   held_ = nullptr;
-  is_unsaved_ = was_asked_ = false;
+  is_unsaved_ = false;
 }
 
 bool SceneEditor::MayLose(const std::string& next) {
   const bool is_copied = copied_ && texts_ && *copied_ == *texts_;
-  if (!is_unsaved_ || is_copied || was_asked_) return true;
-  was_asked_ = true;
-  viewer_.notices.Tell("the scene has unsaved changes; Control+S saves them, again to " + next + " without");
-  return false;
+  return !is_unsaved_ || is_copied ||
+         viewer_.notices.Confirms("the scene has unsaved changes; Control+S saves them, again to " + next + " without");
 }
 
-void SceneEditor::CheckUnsaved() {
-  is_unsaved_ = texts_ && *texts_ != saved_;
-  was_asked_ = false;
-}
+void SceneEditor::CheckUnsaved() { is_unsaved_ = texts_ && *texts_ != saved_; }
 
 std::optional<std::size_t> SceneEditor::ChosenLight() const {
   if (viewer_.selection.node || !light_ || *light_ >= viewer_.scene.Parsed().lights.size()) return {};
@@ -466,15 +461,23 @@ void SceneEditor::Redo() {
 void SceneEditor::Save() {
   if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Tell(why);
   if (!is_unsaved_) return viewer_.notices.Tell("there is nothing to save");
-  std::string saved;
+  std::string saved, replaced;
+  std::vector<const ScnPlaces::File*> changed;
   for (const ScnPlaces::File& file : Places().files) {
-    const std::string& text = texts_->at(file.canonical);
-    if (text == saved_[file.canonical]) continue;
+    if (texts_->at(file.canonical) == saved_[file.canonical]) continue;
+    changed.push_back(&file);
     const std::string& name = file.text->name;
     if (file.canonical == standard_input_name)
       return viewer_.notices.Tell("the scene came from standard input; Control+Shift+S saves a copy");
-    if (ReadSceneFile(name) != saved_[file.canonical])
-      return viewer_.notices.Tell(name + " has changed on the disk since it was read; Control+Shift+S saves a copy");
+    if (ReadSceneFile(name) != saved_[file.canonical]) replaced += (replaced.empty() ? "" : ", ") + name;
+  }
+  if (!replaced.empty() &&
+      !viewer_.notices.Confirms(replaced + " changed on the disk since it was read; Control+S again replaces it"))
+    return;
+  for (const ScnPlaces::File* file_of : changed) {
+    const ScnPlaces::File& file = *file_of;
+    const std::string& text = texts_->at(file.canonical);
+    const std::string& name = file.text->name;
     if (const std::string problem = SaveScene(viewer_, name, text); !problem.empty())
       return viewer_.notices.Tell(problem);
     saved_[file.canonical] = text;

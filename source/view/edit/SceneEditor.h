@@ -35,7 +35,7 @@ class SceneEditor {
   /// The scene was read from the disk: there is nothing to undo any more.
   void Forget();
   /// Whether the viewer may go on to lose the edits: where there are any that are not saved, it says so at first, and
-  /// may when it asks again. `next` is what it would do: "quit".
+  /// may when it asks the same again at once. `next` is what it would do: "quit".
   bool MayLose(const std::string& next);
 
   // What is chosen. A light is where no node is.
@@ -130,7 +130,7 @@ class SceneEditor {
   std::shared_ptr<const EditedFiles> texts_;   // of the scene's files, as edited; null before the first edit
   EditedFiles saved_;                          // as the disk has them
   std::shared_ptr<const EditedFiles> copied_;  // what was saved as a copy last
-  bool is_unsaved_ = false, was_asked_ = false;
+  bool is_unsaved_ = false;
   MoveAxis axis_ = MoveAxis::x;
   std::optional<std::size_t> light_, material_;
   std::optional<std::size_t> node_of_material_;  // what was chosen when the material was

@@ -15,7 +15,6 @@ std::string Reach(const RenderJob& job) {
     return "row " + std::to_string(job.RowsDone()) + " of " + std::to_string(job.frame().Height());
   const RenderSettings& settings = job.Settings();
   if (job.HasEnded()) return Samples(job.Samples()) + (job.IsComplete() ? "" : " stopped");
-  if (settings.budget.is_endless) return Samples(job.Samples()) + " until stopped";
   if (settings.budget.IsOpen()) return Samples(job.Samples());
   return std::to_string(job.Samples()) + " of " + Samples(settings.samples);
 }

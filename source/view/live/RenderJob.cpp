@@ -146,26 +146,17 @@ std::optional<double> RenderJob::SecondsLeft() const {
 }
 
 std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integrator) {
-  FirstLook look(scene_->world, integrator, settings_, &stop_, [this](std::uint64_t rays) { rays_ = rays; });
   // What a pixel costs may depend on those before it, so Render takes all samples of costs, in one go; if they are
   // many, the first is worth being seen at every pixel.
   const bool is_kept = !ShowsCosts(settings_.mode);
-  const int whole = IsSubsampled(settings_) ? settings_.places : BlockOrder::places;
-  const int last = is_kept || settings_.samples > 1 ? whole : whole / 4;
-  for (int places = std::min(first_places_, last);; places = std::min(4 * places, last)) {
-    auto end = PassRunner::End::paused;
-    while (end == PassRunner::End::paused) {
-      end = look.Look(places, Clock::now() + time_between_images);
-      if (end == PassRunner::End::stopped) return {};
-      if (end == PassRunner::End::paused || places < last || !is_kept)
-        frame_.Put(look.Image(), 0);  // else Render shows it
-    }
-    pixels_per_second_ = look.Pixels(places) / std::max(1e-9, Seconds());
-    if (is_kept) share_ = places / (settings_.samples * double{BlockOrder::places});
-    places_.store(places, std::memory_order_release);
-    if (places == last) break;
+  FirstLook look(scene_->world, integrator, settings_, &stop_, [this](std::uint64_t rays) { rays_ = rays; });
+  if (before_) {
+    frame_.Put(before_->image, 0);
+    samples_.store(before_->samples, std::memory_order_release);
+    places_.store(BlockOrder::places, std::memory_order_release);
+  } else if (!LookFirst(look, is_kept)) {
+    return {};
   }
-  if (!is_kept && last == whole) samples_.store(1, std::memory_order_release);
 
   RenderSettings settings = settings_;
   settings.threads = threads_of_further_samples_;
@@ -179,7 +170,8 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
     share_ = static_cast<double>(progress.done) / static_cast<double>(progress.total);
   };
   if (is_kept) {
-    monitor.resume = [&](const Film&) { return look.TakeState(); };
+    monitor.resume = [&](const Film&) { return before_ ? std::move(before_->state) : look.TakeState(); };
+    monitor.save = [&](const RenderState& state) { canceled_ = Stopped{state, 0, frame_.Image(), Samples()}; };
     monitor.pass_done = [&](const R2::Image& image, std::uint32_t per_stream) {
       frame_.Put(image, 0);
       samples_.store(streams * static_cast<int>(per_stream), std::memory_order_release);
@@ -194,6 +186,26 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
   places_.store(BlockOrder::places, std::memory_order_release);
   samples_.store(static_cast<int>(std::lround(result.samples.mean)), std::memory_order_release);
   return result;
+}
+
+bool RenderJob::LookFirst(FirstLook& look, bool is_kept) {
+  const int whole = IsSubsampled(settings_) ? settings_.places : BlockOrder::places;
+  const int last = is_kept || settings_.samples > 1 ? whole : whole / 4;
+  for (int places = std::min(first_places_, last);; places = std::min(4 * places, last)) {
+    auto end = PassRunner::End::paused;
+    while (end == PassRunner::End::paused) {
+      end = look.Look(places, Clock::now() + time_between_images);
+      if (end == PassRunner::End::stopped) return false;
+      if (end == PassRunner::End::paused || places < last || !is_kept)
+        frame_.Put(look.Image(), 0);  // else Render shows it
+    }
+    pixels_per_second_ = look.Pixels(places) / std::max(1e-9, Seconds());
+    if (is_kept) share_ = places / (settings_.samples * double{BlockOrder::places});
+    places_.store(places, std::memory_order_release);
+    if (places == last) break;
+  }
+  if (!is_kept && last == whole) samples_.store(1, std::memory_order_release);
+  return true;
 }
 
 RenderResult RenderJob::RenderAll(const Integrator& integrator, const RenderSettings& settings,
@@ -214,7 +226,7 @@ std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) 
     share_ = static_cast<double>(progress.done) / static_cast<double>(progress.total);
   };
   monitor.save = [&](const RenderState& state) {
-    if (HasSamples(state)) canceled_ = Stopped{state, 0};
+    if (HasSamples(state)) canceled_ = Stopped{state, 0, {}, 0};
   };
   if (before_) monitor.resume = [&](const Film&) { return std::move(before_->state); };
   FinishedRows rows(EmptyFilmOf(settings));

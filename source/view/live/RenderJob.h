@@ -15,6 +15,8 @@
 
 namespace ray {
 
+class FirstLook;
+
 /// A picture rendered in the background of the thread that shows it. Each job owns its frame, so that an abandoned job
 /// may end when it likes: nobody looks at what it still writes.
 class RenderJob {
@@ -25,18 +27,21 @@ class RenderJob {
   ///                neighboring pixels decide who gets samples, or what a pixel shows
   enum class Order { coarse_first, rows };
 
-  /// What a job in order rows had when it was canceled, for another to go on with.
+  /// What a job had when it was canceled, for another to go on with.
   struct Stopped {
     RenderState state;
     double seconds = 0;
+    // In order coarse_first.
+    R2::Image image{};
+    int samples = 0;
   };
 
   /// Starts at once. `settings.view` is the camera if it is not the scene's. Without `settings.threads` one core is
   /// left to whoever shows the picture, until each pixel has its first sample in order coarse_first. Time counts from
   /// the start of the job, and ends no earlier than with that sample. Limits of budgets are ignored in order rows, and
   /// replays. `first_places`: pixels of each block in the first look.
-  /// `before`, in order rows: continues a job of the same scene and settings; time counts on. The result is that of a
-  /// job that was never canceled.
+  /// `before`: continues a job of the same scene, settings and order; time counts on. The result is that of a job that
+  /// was never canceled.
   RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order, int first_places = 1,
             std::optional<Stopped> before = {});
   /// Cancels, and waits for the pixels that were started.
@@ -59,13 +64,15 @@ class RenderJob {
   const RenderSettings& Settings() const { return settings_; }
   Order order() const { return order_; }
   const LoadedScene& scene() const { return *scene_; }
+  const std::shared_ptr<const LoadedScene>& SharedScene() const { return scene_; }
   /// Rows from the bottom that will not change any more (order rows).
   int RowsDone() const { return rows_done_.load(std::memory_order_acquire); }
   /// The pixels of each block that have their first sample; 0 before the first look is whole.
   int Places() const { return places_.load(std::memory_order_acquire); }
   /// Samples per pixel that the frame shows, where it is whole; their mean once it is complete, the most before.
   int Samples() const { return samples_.load(std::memory_order_acquire); }
-  /// What a job in order rows had when it was canceled; nothing where that was no sample, or it did not end so.
+  /// What it had when it was canceled; nothing where that was no sample of a pixel beyond the first look, or it did not
+  /// end so.
   const std::optional<Stopped>& Canceled() const;
   std::uint64_t Rays() const { return rays_.load(std::memory_order_relaxed); }
   /// Since the start, until the end.
@@ -80,6 +87,8 @@ class RenderJob {
  private:
   void Run();
   std::optional<RenderResult> RenderCoarseFirst(const Integrator& integrator);
+  /// Takes the first sample of each pixel, look by look; false where it was stopped.
+  bool LookFirst(FirstLook& look, bool is_kept);
   RenderResult RenderAll(const Integrator& integrator, const RenderSettings& settings,
                          const RenderMonitor& monitor) const;
   std::optional<RenderResult> RenderRows(const Integrator& integrator);

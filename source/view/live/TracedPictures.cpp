@@ -15,16 +15,21 @@ namespace {
 
 constexpr double seconds_of_first_pass = 0.03;      // so that a move is answered within 40 ms
 constexpr double most_seconds_of_first_pass = 0.2;  // that a move waits for the pass of the one before
+constexpr double seconds_of_motion = 1.0 / 15;      // between images that eyes take for motion
+constexpr double seconds_of_rest = 0.15;            // a hand that pauses for longer has stopped
+constexpr double seconds_of_fading = 0.12;
+constexpr int least_places = 4;  // of a block of 64 pixels, below which the preview shows more
 
 /// The settings of a live picture in its mode.
-RenderSettings ForLive(RenderSettings settings, bool is_layer, bool is_endless) {
+RenderSettings ForLive(RenderSettings settings, bool is_layer, bool budget_of_rest) {
   const bool is_surface = settings.mode == RenderMode::depth || settings.mode == RenderMode::id;
   if (is_surface && is_layer) settings.samples = 1;  // means over an edge would be of nothing that is there
   const bool is_estimate = !is_surface && !ShowsCosts(settings.mode);
   if (!is_estimate) settings.budget = {};
   // A grid's samples are laid out for their number.
-  const bool can_go_on = is_estimate && !is_layer && !IsGrid(settings.trace.sampler);
-  if (is_endless && can_go_on && !settings.budget.IsOpen()) settings.budget.is_endless = true;
+  const bool takes_more = is_estimate && !is_layer && !IsGrid(settings.trace.sampler);
+  if (budget_of_rest && takes_more && !settings.budget.IsOpen())
+    settings.samples = TracedPictures::samples_at_rest;
   return settings;
 }
 
@@ -46,22 +51,42 @@ bool TracedPictures::StopTrace() {
 const RenderJob* TracedPictures::TakeEnded() {
   trace_.Collect();
   live_.Collect();
+  depths_.Collect();
   if (has_reported_end_ || !Trace() || !Trace()->HasEnded()) return nullptr;
   has_reported_end_ = true;
   return Trace();
 }
 
 void TracedPictures::ShowLive(std::optional<RenderMode> mode) {
-  is_live_ = is_due_ = true;
+  is_wanted_ = is_live_ = is_due_ = true;
   moves_ = false;
   mode_ = mode;
 }
 
 void TracedPictures::HideLive() {
-  is_live_ = is_due_ = false;
+  Suspend();
+  is_wanted_ = false;
   mode_.reset();
+}
+
+void TracedPictures::Suspend() {
+  is_live_ = is_due_ = false;
   live_.Abandon();
   live_.ForgetLast();
+  depths_.Abandon();
+}
+
+void TracedPictures::Touch() {
+  is_live_ = is_live_ || is_wanted_;
+  is_due_ = true;
+  moves_ = false;
+}
+
+void TracedPictures::TouchView() {
+  is_live_ = is_live_ || is_wanted_;
+  moves_ = is_due_ ? moves_ : true;
+  is_due_ = true;
+  moved_at_ = Clock::now();
 }
 
 bool TracedPictures::StopLive() {
@@ -79,34 +104,90 @@ const RenderJob* TracedPictures::TakeEndedLive() {
   return Live();
 }
 
+bool TracedPictures::Moves() const {
+  return moves_ && std::chrono::duration<double>(Clock::now() - moved_at_).count() < seconds_of_rest;
+}
+
+bool TracedPictures::TracesInMotion(const RenderSettings& settings) const {
+  const auto pixels = static_cast<std::int64_t>(settings.width) * settings.height;
+  return PlacesWithin(seconds_of_motion, pixels, pixels_per_second_) >= least_places;
+}
+
 void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings,
-                            bool is_endless) {
+                            bool budget_of_rest) {
   if (Live() && Live()->PixelsPerSecond() > 0) pixels_per_second_ = Live()->PixelsPerSecond();
+  const bool is_shown = ShownLive() != nullptr;
+  if (is_shown && !was_shown_) shown_since_ = Clock::now();
+  was_shown_ = is_shown;
   if (!is_live_ || !is_due_) return;
+  const bool waits = moves_ && Moves();
+  if (waits && !TracesInMotion(settings)) {
+    if (Live() && !Live()->HasEnded()) live_.Current()->Cancel();  // whoever draws gets the processor
+    return;
+  }
   const bool has_nothing_yet = Live() && !Live()->HasEnded() && Live()->Places() == 0;
-  if (moves_ && has_nothing_yet && Live()->Seconds() < most_seconds_of_first_pass) return;
+  if (waits && has_nothing_yet && Live()->Seconds() < most_seconds_of_first_pass) return;
   is_due_ = false;
   if (Live() && Live()->Places() > 0) last_number_ = live_number_;
   RenderSettings in_mode = settings;
   in_mode.mode = mode_.value_or(settings.mode);
   const auto pixels = static_cast<std::int64_t>(settings.width) * settings.height;
-  live_.Start(scene, ForLive(in_mode, mode_.has_value(), is_endless), RenderJob::Order::coarse_first,
-              PlacesWithin(seconds_of_first_pass, pixels, pixels_per_second_));
+  StartLive(scene, ForLive(in_mode, mode_.has_value(), budget_of_rest),
+            PlacesWithin(seconds_of_first_pass, pixels, pixels_per_second_));
+  if (moves_ && !TracesInMotion(settings)) live_.ForgetLast();  // of a view that is far by now
+}
+
+void TracedPictures::StartLive(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings,
+                               int first_places, std::optional<RenderJob::Stopped> before) {
+  live_.Start(scene, settings, RenderJob::Order::coarse_first, first_places, std::move(before));
   live_number_ = ++jobs_;
   has_reported_live_end_ = false;
-  if (!moves_) live_.ForgetLast();
+}
+
+void TracedPictures::ResumeLive() {
+  if (!IsPaused()) return;
+  const RenderJob& job = *Live();
+  StartLive(job.SharedScene(), job.Settings(), BlockOrder::places, job.Canceled());
+}
+
+void TracedPictures::TraceDepths() {
+  if (!ShownLive() || ShownLive() != Live() || depths_of_ == live_number_) return;
+  depths_of_ = live_number_;
+  RenderSettings settings = Live()->Settings();
+  settings.mode = RenderMode::depth;
+  settings.samples = 1;
+  settings.budget = {};
+  settings.denoise = false;
+  settings.flare = 0;
+  depths_.Start(Live()->SharedScene(), settings, RenderJob::Order::coarse_first, BlockOrder::places);
+  depths_number_ = ++jobs_;
+}
+
+const RenderJob* TracedPictures::Depths() const {
+  const RenderJob* depths = depths_.Current();
+  return depths_of_ == live_number_ && depths && depths->IsComplete() ? depths : nullptr;
 }
 
 const RenderJob* TracedPictures::ShownLive() const {
   if (!is_live_ || !Live()) return nullptr;
-  if (Live()->Places() > 0) return Live();
+  const bool is_waiting = is_due_ && moves_;  // for rest
+  if (is_waiting && !TracesInMotion(Live()->Settings())) return nullptr;
+  if (Live()->Places() >= least_places) return Live();
   const RenderJob* last = live_.Last();
   const bool is_alike =
       last && last->frame().Width() == Live()->frame().Width() && last->frame().Height() == Live()->frame().Height();
   return is_alike ? last : nullptr;
 }
 
-bool TracedPictures::IsBusy() const { return IsTracing() || (is_live_ && is_due_) || (Live() && !Live()->HasEnded()); }
+double TracedPictures::Opacity() const {
+  return std::min(1.0, std::chrono::duration<double>(Clock::now() - shown_since_).count() / seconds_of_fading);
+}
+
+bool TracedPictures::IsBusy() const {
+  const RenderJob* depths = depths_.Current();
+  return IsTracing() || (is_live_ && is_due_) || (Live() && !Live()->HasEnded()) || (depths && !depths->HasEnded()) ||
+         (ShownLive() && Opacity() < 1);
+}
 
 std::shared_ptr<const R2::Image> TracedPictures::Current() const {
   return Job() ? std::make_shared<const R2::Image>(Job()->frame().Image()) : nullptr;

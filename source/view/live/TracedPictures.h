@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,30 +36,41 @@ class TracedPictures {
   const RenderJob* TakeEnded();
   void ForgetTrace() { trace_.Abandon(); }
 
-  // The live picture.
+  // The live picture: what the view shows while it rests, and while it moves where tracing is fast enough for that.
   /// `mode`: what to show instead of the settings' own; nothing for that.
   void ShowLive(std::optional<RenderMode> mode);
   void HideLive();
+  /// Until the view or the scene changes, the picture of key S is shown instead.
+  void Suspend();
   bool IsLive() const { return is_live_; }
   std::optional<RenderMode> LiveMode() const { return mode_; }
   /// Something has changed that the live picture shows: it starts over with the next Update.
-  void Touch() {
-    is_due_ = true;
-    moves_ = false;
-  }
-  /// The view has moved: the live picture starts over as soon as its first pass is whole, so that something traced is
-  /// seen in motion too.
-  void TouchView() {
-    moves_ = is_due_ ? moves_ : true;
-    is_due_ = true;
-  }
-  /// What there is to be seen of the live picture: it, or while it has nothing, that of a moment ago in a view nearby;
-  /// null where there is neither.
+  void Touch();
+  /// The view has moved.
+  void TouchView();
+  /// What there is to be seen of the live picture: it, or while it has nothing yet, that of a moment ago; null where
+  /// the preview is to be seen.
   const RenderJob* ShownLive() const;
   std::uint64_t ShownLiveNumber() const { return ShownLive() == Live() ? live_number_ : last_number_; }
-  /// Starts the live picture over if it is due. `is_endless`: it takes more and more samples, where the settings have
-  /// no budget and what is shown gains by them.
-  void Update(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings, bool is_endless = false);
+  /// The opacity of ShownLive over the preview, in [0, 1]: it comes within a moment.
+  double Opacity() const;
+  /// Starts the live picture if it is due: at once where tracing is fast, else once the view rests. `budget_of_rest`:
+  /// the settings have no budget of their own, so that samples_at_rest are taken where what is shown gains by them.
+  void Update(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings,
+              bool budget_of_rest = false);
+  static constexpr int samples_at_rest = 64;
+  /// Whether the live picture was stopped, and has more to come.
+  bool IsPaused() const { return is_live_ && !is_due_ && Live() && Live()->HasEnded() && Live()->Canceled(); }
+  /// Continues it where it was stopped.
+  void ResumeLive();
+
+  // Distances of what the live picture shows, so that lines in space are hidden behind it.
+  /// Starts them for the picture that is shown, unless there are some.
+  void TraceDepths();
+  /// Their job once it is complete; null before, and for another view.
+  const RenderJob* Depths() const;
+  std::uint64_t DepthsNumber() const { return depths_number_; }
+
   /// Whether the live picture was still growing. What it has so far stays until it starts over.
   bool StopLive();
   /// The live picture, once, when it has ended by itself since the last call.
@@ -105,11 +117,24 @@ class TracedPictures {
   };
   const FalseColors& InFalseColors() const;
 
-  JobQueue trace_, live_;
+  using Clock = std::chrono::steady_clock;
+
+  /// Whether the view moved a moment ago.
+  bool Moves() const;
+  /// Whether a moving view is traced: enough of its pixels within the time that eyes take for motion.
+  bool TracesInMotion(const RenderSettings& settings) const;
+  void StartLive(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings, int first_places,
+                 std::optional<RenderJob::Stopped> before = {});
+
+  JobQueue trace_, live_, depths_;
   bool has_reported_end_ = true, has_reported_live_end_ = true;
+  bool is_wanted_ = false;  // the live picture, once something changes
   bool is_live_ = false, is_due_ = false, moves_ = false;
+  Clock::time_point moved_at_{}, shown_since_{};
+  bool was_shown_ = false;
   std::optional<RenderMode> mode_;
   std::uint64_t jobs_ = 0, trace_number_ = 0, live_number_ = 0, last_number_ = 0;
+  std::uint64_t depths_number_ = 0, depths_of_ = 0;  // the latter the number of the live picture that has these
   double pixels_per_second_ = 0;  // of the live picture's last pass
   ReferenceImage reference_;
   std::shared_ptr<const R2::Image> reference_light_;

@@ -30,7 +30,7 @@ ShownRays ShownAs(RayKind kind) {
 }
 
 constexpr Rgba blocked{180, 40, 40, 255};  // a shadow ray beyond what blocks it
-constexpr Rgba normal_color{255, 120, 220, 255};
+constexpr Rgba normal_color{255, 120, 220, 255}, foreign_color{255, 60, 200, 255};
 
 Rgba ColorOf(RayKind kind) {
   switch (kind) {
@@ -76,6 +76,8 @@ std::vector<Rgba> ColorsOf(ShownRays kind) {
 
 Rgba ColorOfNormals() { return normal_color; }
 
+Rgba ColorOfForeign() { return foreign_color; }
+
 RenderSettings DebugRayCounts::Thinned(RenderSettings settings) const {
   settings.trace.shadow_samples = std::min(settings.trace.shadow_samples, shadow);
   return settings;
@@ -114,6 +116,16 @@ Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space,
         add(end, end + normal_length * space.radius * AsVector(ray.at->shading_normal), normal_color);
     }
   }
+  return lines;
+}
+
+Lines ForeignLines(const PixelTrace& foreign, const DrawingSpace& space, std::optional<std::size_t> differs) {
+  Lines lines;
+  for (const RecordedRay& ray : foreign.rays)
+    AddLine(lines, space.At(StartOf(ray)), space.At(EndOf(ray, space.radius)), foreign_color);
+  if (differs && *differs < foreign.rays.size())
+    Append(lines, CrossAt(EndOf(foreign.rays[*differs], space.radius), normal_length * space.radius, space,
+                          foreign_color));
   return lines;
 }
 

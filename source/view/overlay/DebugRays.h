@@ -42,7 +42,7 @@ inline constexpr int debug_ray_spacing = 25;  // pixels whose column and row are
 struct DebugRayCounts {
   int camera = 1;   // samples of a pixel, >= 1; at most those of the settings count
   int shadow = 1;   // rays to each light, >= 1; likewise
-  int spacing = 10; // in the cross section: pixels from one that is traced to the next, >= 1
+  int in_cut = 50;  // pixels of the cross section's row that are traced, evenly spread, >= 1
   friend bool operator==(const DebugRayCounts&, const DebugRayCounts&) = default;
 
   /// The settings with so few shadow rays.
@@ -58,6 +58,10 @@ std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& acceler
 /// Rays as lines, in a color for each kind. A blocked shadow ray is dark beyond what blocks it; a ray that hits nothing
 /// is two radii of the scene long. The more rays, the fainter each.
 Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space, const RayLook& look);
+
+/// Rays of another tracer in one color; a cross where the one ends that differs from ours, nothing for none.
+Lines ForeignLines(const PixelTrace& foreign, const DrawingSpace& space, std::optional<std::size_t> differs);
+Rgba ColorOfForeign();
 
 /// The chosen ray of a pixel alone, in its color, with a cross where it ends; none where none is chosen.
 Lines ChosenRay(const PixelTrace& trace, const DrawingSpace& space, const RayLook& look);

@@ -46,9 +46,13 @@ std::string RaysOf(const PixelTrace& trace) {
 Pick PickPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
                int row) {
   Pick pick{PixelTracer(world, accelerator, settings).Trace(column, row, 1), {}, 0, {}};
-  const RecordedRay& ray = pick.trace.rays.front();
   pick.text.push_back("pixel " + std::to_string(column) + " " + std::to_string(row) + ": " +
                       Shortly(pick.trace.Mean()));
+  if (pick.trace.rays.empty()) {
+    pick.text.emplace_back("is outside of what the camera sees");
+    return pick;
+  }
+  const RecordedRay& ray = pick.trace.rays.front();
   if (!ray.hit) {
     pick.text.emplace_back("hits nothing");
     return pick;

@@ -15,6 +15,7 @@ void RayInspector::TracePixel(const LoadedScene& scene, const RenderSettings& se
   ++trace_number_;
   pixel_ = PixelTracer(scene.world, *scene.accelerator, counts_.Thinned(settings))
                .Trace(column, row, counts_.SamplesOf(settings));
+  difference_ = foreign_.empty() ? std::nullopt : FirstDifference(*pixel_, foreign_, scene.world, settings);
 }
 
 void RayInspector::TraceAgain(const LoadedScene& scene) {

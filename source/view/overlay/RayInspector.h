@@ -6,6 +6,7 @@
 
 #include "source/view/LoadedScene.h"
 #include "source/view/overlay/DebugRays.h"
+#include "source/view/overlay/ForeignRays.h"
 
 namespace ray {
 
@@ -32,11 +33,17 @@ class RayInspector {
   void Toggle(ShownRays kind) { look_.shows[static_cast<std::size_t>(kind)] ^= true; }
   void ToggleNormals() { look_.normals = !look_.normals; }
   void ToggleGrid() { shows_grid_ = !shows_grid_; }
-  void ForgetPixel() { pixel_.reset(), look_.chosen.reset(); }
+  void ForgetPixel() { pixel_.reset(), look_.chosen.reset(), difference_.reset(); }
   /// One of the pixel's rays, by its number; nothing for none.
   void Choose(std::optional<std::size_t> ray) { look_.chosen = ray; }
   /// To be called for another scene.
   void ForgetAll();
+
+  /// Rays of another tracer, to be seen beside ours from now on, and compared with those of each pixel that is traced.
+  void SetForeign(std::vector<ForeignRay> rays) { foreign_ = std::move(rays); }
+  const std::vector<ForeignRay>& Foreign() const { return foreign_; }
+  /// The first of them that differs from ours of the pixel; nothing where none does, or there are no rays.
+  const std::optional<RayDifference>& Difference() const { return difference_; }
 
   bool ShowsGrid() const { return shows_grid_; }
   const RayLook& Look() const { return look_; }
@@ -54,6 +61,8 @@ class RayInspector {
   RayLook look_;
   std::vector<PixelTrace> grid_;
   std::optional<PixelTrace> pixel_;
+  std::vector<ForeignRay> foreign_;
+  std::optional<RayDifference> difference_;
   int trace_number_ = 0;
   RenderSettings pixel_settings_;
   DebugRayCounts counts_;

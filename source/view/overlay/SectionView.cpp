@@ -47,6 +47,12 @@ void SectionView::NextPlane() {
   plane_ = now + 1 == order.end() ? order.front() : now[1];
 }
 
+bool SectionView::MoveTo(int row) {
+  if (plane_ != SlicePlane::camera_row || row == row_) return false;
+  row_ = row;
+  return true;
+}
+
 void SectionView::Move(int by, int height) {
   if (plane_ == SlicePlane::camera_row)
     row_ = std::clamp(Row(height) + by, 0, height - 1);
@@ -84,7 +90,7 @@ void SectionView::TraceLine(const LoadedScene& scene, const RenderSettings& sett
   rays_.clear();
   const PixelTracer tracer(scene.world, *scene.accelerator, counts.Thinned(settings));
   const int end = line.is_column ? settings.height : settings.width;
-  for (int i = 0; i < end; i += std::max(1, counts.spacing))
+  for (int i = 0; i < end; i += std::max(1, end / counts.in_cut))
     rays_.push_back(line.is_column ? tracer.Trace(line.at, i, 1) : tracer.Trace(i, line.at, 1));
 }
 

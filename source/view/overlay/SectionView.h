@@ -16,6 +16,8 @@ class SectionView {
   void Toggle() { is_shown_ = !is_shown_; }
   /// The next of camera_row, xz, yz, xy.
   void NextPlane();
+  /// Shows that row of a picture, where camera_row is shown. Returns whether it is another.
+  bool MoveTo(int row);
   /// A row up or down of a picture so high, or a hundredth of the scene along the plane's normal.
   void Move(int by, int height);
   /// Cuts the scene again, for a drawing of that size; for camera_row as seen by `settings`, for others through

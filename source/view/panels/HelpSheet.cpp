@@ -52,7 +52,7 @@ std::vector<HelpSheet::Group> HelpSheet::Found() const {
 void HelpSheet::Draw(PanelFrame& frame) {
   if (std::exchange(takes_focus_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  ImGui::InputTextWithHint("##help", "search the help; Escape closes it", search_.data(), search_.size());
+  ImGui::InputTextWithHint("##help", "search; Escape closes it", search_.data(), search_.size());
   frame.Note("search");
   const std::vector<Group> groups = Found();
   if (groups.empty()) return frame.Say("nothing in the help has these words");

@@ -16,8 +16,9 @@ namespace ray {
 /// scripts besides.
 class PanelFrame {
  public:
-  PanelFrame(const ViewerState& shown, double pixels_per_unit, std::vector<PanelItem>& items)
-      : viewer(shown), scale(pixels_per_unit), items_(items) {}
+  /// `sought`: the beginning of the name of what is to be scrolled into view; empty for nothing.
+  PanelFrame(const ViewerState& shown, double pixels_per_unit, std::vector<PanelItem>& items, std::string sought)
+      : viewer(shown), scale(pixels_per_unit), items_(items), sought_(std::move(sought)) {}
 
   const ViewerState& viewer;
   const double scale;
@@ -30,6 +31,8 @@ class PanelFrame {
   bool Button(const std::string& name);
   /// A line that can be chosen, cut short where it has no room; whether it was clicked.
   bool Choice(const std::string& name, bool is_chosen);
+  /// One of several words; whether it was clicked, and was not the one already.
+  bool Word(const char* name, bool is_it);
   /// A switch; whether it was clicked.
   bool Check(const std::string& name, bool is_on);
   /// A heading that opens and closes what is below it; whether that is open.
@@ -43,13 +46,14 @@ class PanelFrame {
 
  private:
   std::vector<PanelItem>& items_;
+  std::string sought_;
   std::vector<std::function<void(ViewerState&)>> actions_;
 };
 
 /// The text, or as much of its beginning as has room, in pixels; scripts are told all of it. Letters are of one width.
 std::string Fitting(const std::string& text, float room);
 
-/// One part of the column; it may remember what is open in it.
+/// One part of a panel; it may remember what is open in it.
 class Panel {
  public:
   virtual ~Panel() = default;
@@ -58,10 +62,9 @@ class Panel {
   virtual bool IsOfUse(const ViewerState&) const { return true; }
 };
 
-/// One line of panels.def.
-struct PanelKind {
-  const char* title;
-  bool is_open_at_first;
+/// A part as the table of panels in Panels.cpp names it.
+struct PanelPart {
+  const char* caption;  // shown where a panel has several
   std::unique_ptr<Panel> (*make)();
 };
 
@@ -74,8 +77,8 @@ std::string Brief(const R3::Vector& vector);
 /// Words with their numbers rounded, where those stand between blanks or before commas.
 std::string Brief(const std::string& words);
 
-/// The scene, what its preview lacks for speed, how far its image has come and how right it is, and the pixel under the
-/// pointer: in the window of Dear ImGui that is being made, a line of its width.
+/// The scene, how far its image has come and how right it is, and the pixel under the pointer: in the window of Dear
+/// ImGui that is being made, a line of its width.
 void DrawStatusBar(PanelFrame& frame);
 
 }  // namespace ray

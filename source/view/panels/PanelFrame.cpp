@@ -39,6 +39,12 @@ bool PanelFrame::Check(const std::string& name, bool is_on) {
   return is_clicked;
 }
 
+bool PanelFrame::Word(const char* name, bool is_it) {
+  const bool is_clicked = ImGui::RadioButton(name, is_it);
+  Note(name);
+  return is_clicked && !is_it;
+}
+
 bool PanelFrame::Heading(const char* name, bool is_open_at_first) {
   const bool is_open = ImGui::CollapsingHeader(name, is_open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
   Note(name);
@@ -64,6 +70,12 @@ void PanelFrame::Fact(const std::string& name, const std::string& value) {
 }
 
 void PanelFrame::Note(const std::string& name) {
+  if (!sought_.empty() && name.starts_with(sought_)) {
+    const float middle = (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y) / 2, top = ImGui::GetWindowPos().y;
+    if (middle < top || middle > std::min(top + ImGui::GetWindowHeight(), ImGui::GetIO().DisplaySize.y))
+      ImGui::SetScrollHereY();
+    sought_.clear();
+  }
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   items_.push_back({name, (low.x + high.x) / 2, ImGui::GetIO().DisplaySize.y - (low.y + high.y) / 2});
 }

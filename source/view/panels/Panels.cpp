@@ -4,9 +4,12 @@
 #include <imgui_internal.h>  // LogBuffer
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -16,17 +19,24 @@
 
 namespace ray {
 
-#define PANEL(name) extern const PanelKind name##_panel;
-#include "source/view/panels/panels.def"
-#undef PANEL
+extern const PanelPart errors_part, open_part, outliner_part, edit_part, image_part, layers_part, pixel_part,
+    statistics_part, settings_part, accelerators_part, display_part, look_part;
 
 namespace {
 
-constexpr const PanelKind* panel_kinds[] = {
-#define PANEL(name) &name##_panel,
-#include "source/view/panels/panels.def"
-#undef PANEL
+/// The panels, from the top, and their parts.
+struct PanelKind {
+  const char* title;
+  bool is_open_at_first;
+  std::vector<const PanelPart*> parts;
 };
+const std::array<PanelKind, 7> panel_kinds{{{"Errors", true, {&errors_part}},
+                                            {"Open", true, {&open_part}},
+                                            {"Scene", true, {&outliner_part, &edit_part}},
+                                            {"Image", false, {&image_part, &layers_part}},
+                                            {"Pixel", true, {&pixel_part}},
+                                            {"Render", false, {&statistics_part, &settings_part, &accelerators_part}},
+                                            {"View", false, {&display_part, &look_part}}}};
 
 constexpr double narrowest = 150;                      // units: the titles, and short words
 constexpr double widest_share = 0.9;                   // of the drawing: some of it stays to be clicked
@@ -115,7 +125,8 @@ class ImGuiPanels : public Panels {
     };
     io.GetClipboardTextFn = [](void* self) { return static_cast<ImGuiPanels*>(self)->clipboard_.c_str(); };
     NameKeys(io);
-    for (const PanelKind* kind : panel_kinds) panels_.push_back(kind->make());
+    for (const PanelKind& kind : panel_kinds)
+      for (const PanelPart* part : kind.parts) parts_of_[&kind].push_back(part->make());
   }
   ~ImGuiPanels() override { ImGui::DestroyContext(context_); }
   ImGuiPanels(const ImGuiPanels&) = delete;
@@ -171,6 +182,22 @@ class ImGuiPanels : public Panels {
     return LettersOfLabels(Scale());
   }
 
+  bool Reveal(ViewerState& viewer, const std::string& name) override {
+    Use();
+    const auto is_there = [&] {
+      return std::ranges::any_of(items_, [&](const PanelItem& item) { return item.name.starts_with(name); });
+    };
+    MakeFrame(viewer);
+    // What is outside of a list that is scrolled is not drawn at all.
+    for (scroll_ = 0; !is_there() && scroll_ <= farthest_scroll_; scroll_ = *scroll_ + ImGui::GetIO().DisplaySize.y / 2)
+      for (int i = 0; i < 2; ++i) MakeFrame(viewer);
+    scroll_.reset();
+    sought_ = name;
+    MakeFrame(viewer);
+    sought_.clear();
+    MakeFrame(viewer);  // where it is then
+    return is_there();
+  }
   const std::vector<PanelItem>& Items() const override { return items_; }
   void SetLook(const PanelSettings& look) override {
     if (look == look_) return;
@@ -335,7 +362,7 @@ class ImGuiPanels : public Panels {
     io.DeltaTime = std::max(shortest_time, std::exchange(passed_, 0.0F));
     items_.clear();
     ImGui::NewFrame();
-    PanelFrame frame(viewer, Scale(), items_);
+    PanelFrame frame(viewer, Scale(), items_, sought_);
     DrawLabels(labels_, Scale(), look_.theme);
     text_.clear();
     if (parts_.column) {
@@ -359,12 +386,20 @@ class ImGuiPanels : public Panels {
     ImGui::Begin("column", nullptr, fixed_window | ImGuiWindowFlags_NoFocusOnAppearing);
     // Its edge was dragged; what a small window leaves no room for is no choice of the user's.
     if (holder_ == Holder::panels && ImGui::GetWindowWidth() != width) look_.width = ImGui::GetWindowWidth() / Scale();
+    if (scroll_) ImGui::SetScrollY(*scroll_);
+    farthest_scroll_ = ImGui::GetScrollMaxY();
     BeginText();
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
-      if (!panels_[i]->IsOfUse(frame.viewer)) continue;
-      ImGui::PushID(static_cast<int>(i));
-      if (frame.Heading(panel_kinds[i]->title, panel_kinds[i]->is_open_at_first)) panels_[i]->Draw(frame);
-      ImGui::PopID();
+    for (const PanelKind& kind : panel_kinds) {
+      const auto& parts = parts_of_[&kind];
+      if (std::ranges::none_of(parts, [&](const auto& part) { return part->IsOfUse(frame.viewer); })) continue;
+      if (!frame.Heading(kind.title, kind.is_open_at_first)) continue;
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        ImGui::PushID(kind.parts[i]->caption);
+        if (i > 0) ImGui::Separator();
+        if (parts.size() > 1) ImGui::TextUnformatted(kind.parts[i]->caption);
+        parts[i]->Draw(frame);
+        ImGui::PopID();
+      }
     }
     EndText();
     ImGui::End();
@@ -417,7 +452,7 @@ class ImGuiPanels : public Panels {
   }
 
   ImGuiContext* const context_;
-  std::vector<std::unique_ptr<Panel>> panels_;
+  std::map<const PanelKind*, std::vector<std::unique_ptr<Panel>>> parts_of_;
   HelpSheet help_;
   PanelParts parts_;
   std::vector<Label> labels_;              // of the frame that is made
@@ -426,12 +461,14 @@ class ImGuiPanels : public Panels {
   double screen_ = 1;  // pixels per unit of length
   bool is_dressed_ = false, wants_text_ = false, has_new_parts_ = false;
   bool ignores_text_ = false;       // that of the key which opened the help
+  std::optional<float> scroll_;     // of the column, where that is set
+  float farthest_scroll_ = 0;
   float passed_ = 0;                // seconds since the last frame
   std::set<Key> keys_down_;         // of those that panels have got
   Holder holder_ = Holder::nobody;  // who got the press of the buttons that are down
   ViewerState* viewer_ = nullptr;   // of the last frame
   std::vector<PanelItem> items_;
-  std::string text_, clipboard_;
+  std::string text_, clipboard_, sought_;
 };
 
 }  // namespace

@@ -55,6 +55,8 @@ class Panels {
   virtual std::shared_ptr<const PanelDrawing> Draw(ViewerState& viewer, const std::vector<Label>& labels) = 0;
   /// What they say, in lines, hidden by scrolling or not; for scripts.
   virtual std::string Text(ViewerState& viewer) = 0;
+  /// Scrolls what has a name that begins so into view. Returns whether there is any.
+  virtual bool Reveal(ViewerState& viewer, const std::string& name) = 0;
   /// What takes clicks, as last drawn.
   virtual const std::vector<PanelItem>& Items() const = 0;
   virtual void SetLook(const PanelSettings& look) = 0;

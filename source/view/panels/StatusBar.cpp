@@ -13,8 +13,17 @@ namespace {
 
 constexpr float bar_letters = 10;  // of the bar of what is done
 
+/// The text without its middle where that is longer.
+std::string Shortened(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  const std::size_t kept = most - 2;
+  return text.substr(0, kept / 2) + ".." + text.substr(text.size() - (kept - kept / 2));
+}
+
 std::string NameAndSize(const ViewerState& viewer) {
-  return std::filesystem::path(viewer.settings.scene).filename().string() + (viewer.editor.HasUnsaved() ? "* " : " ") +
+  constexpr std::size_t longest = 28;  // letters, so that the progress has room beside it
+  return Shortened(std::filesystem::path(viewer.settings.scene).filename().string(), longest) +
+         (viewer.editor.HasUnsaved() ? "* " : " ") +
          std::to_string(viewer.screen.size.width) + "x" + std::to_string(viewer.screen.size.height);
 }
 
@@ -34,10 +43,6 @@ void DrawStatusBar(PanelFrame& frame) {
   const float letter = ImGui::CalcTextSize("0").x, all = ImGui::GetContentRegionAvail().x,
               from = ImGui::GetCursorPosX();
   ImGui::TextUnformatted(NameAndSize(viewer).c_str());
-  if (const std::string missing = WordsFor(viewer.screen.detail); !missing.empty() && !viewer.FlatJob()) {
-    ImGui::SameLine();
-    ImGui::TextDisabled("%s", missing.c_str());
-  }
   const RenderJob* job = viewer.pictures.Job();
   if (!job) return;
   ImGui::SameLine();

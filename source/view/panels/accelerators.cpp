@@ -64,7 +64,6 @@ class AcceleratorsPanel : public Panel {
 
 }  // namespace
 
-extern const PanelKind accelerators_panel{"Accelerators", false,
-                                          [] { return std::unique_ptr<Panel>(new AcceleratorsPanel); }};
+extern const PanelPart accelerators_part{"accelerators", [] { return std::unique_ptr<Panel>(new AcceleratorsPanel); }};
 
 }  // namespace ray

@@ -44,16 +44,8 @@ class DisplayPanel : public Panel {
     SwitchOf(frame, "the scene's camera", "Shift+C", &SpaceOverlays::camera);
     SwitchOf(frame, "rendered image in space", "V", &SpaceOverlays::quad);
     Switch(frame, "rays of every 25th pixel (G)", viewer.rays.ShowsGrid(), ToggleGrid);
-    if (frame.Check("live rendering (P)", viewer.pictures.IsLive()))
-      frame.Ask([](ViewerState& v) { ToggleLive(v, {}); });
+    Switch(frame, "traced image (Shift+P)", viewer.pictures.IsLive(), ToggleTraced);
     Switch(frame, "denoising (M)", viewer.settings.render.denoise, ToggleDenoising);
-  }
-
-  /// One of several words; whether it was clicked, and was not the one already.
-  static bool Word(PanelFrame& frame, const char* name, bool is_it) {
-    const bool is_clicked = ImGui::RadioButton(name, is_it);
-    frame.Note(name);
-    return is_clicked && !is_it;
   }
 
   static void DrawBoxes(PanelFrame& frame) {
@@ -63,7 +55,7 @@ class DisplayPanel : public Panel {
     for (const auto& [name, boxes] : {std::pair{"no boxes", Boxes::none},
                                       {"boxes of the scene graph", Boxes::nodes},
                                       {"boxes of the accelerator", Boxes::accelerator}})
-      if (Word(frame, name, overlays.boxes == boxes))
+      if (frame.Word(name, overlays.boxes == boxes))
         frame.Ask([wanted = boxes](ViewerState& v) { ShowBoxes(v, wanted); });
     if (overlays.boxes == Boxes::none) return;
     constexpr int deepest = 24;
@@ -78,12 +70,12 @@ class DisplayPanel : public Panel {
   static void DrawSection(PanelFrame& frame) {
     const SectionView& section = frame.viewer.section;
     frame.Say("cross section (X)");
-    if (Word(frame, "no cut", !section.IsShown())) frame.Ask(ToggleSection);
+    if (frame.Word("no cut", !section.IsShown())) frame.Ask(ToggleSection);
     for (const auto& [name, plane] : {std::pair{"cut along a row of the image", SlicePlane::camera_row},
                                       {"cut along xz", SlicePlane::xz},
                                       {"cut along yz", SlicePlane::yz},
                                       {"cut along xy", SlicePlane::xy}})
-      if (Word(frame, name, section.IsShown() && section.Plane() == plane))
+      if (frame.Word(name, section.IsShown() && section.Plane() == plane))
         frame.Ask([wanted = plane](ViewerState& v) { ShowSection(v, wanted); });
   }
 
@@ -102,6 +94,6 @@ class DisplayPanel : public Panel {
 
 }  // namespace
 
-extern const PanelKind display_panel{"Display", false, [] { return std::unique_ptr<Panel>(new DisplayPanel); }};
+extern const PanelPart display_part{"display", [] { return std::unique_ptr<Panel>(new DisplayPanel); }};
 
 }  // namespace ray

@@ -13,8 +13,9 @@ namespace {
 constexpr std::size_t longest_name = 4096;  // of files, in bytes
 constexpr std::size_t most_listed = 50;     // materials, or lights, that a reader goes through
 
-bool Section(PanelFrame& frame, const char* name) {
-  const bool is_open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_DefaultOpen);
+bool Section(PanelFrame& frame, const char* name, bool is_open_at_first = false) {
+  const auto flags = ImGuiTreeNodeFlags_NoTreePushOnOpen | (is_open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  const bool is_open = ImGui::TreeNodeEx(name, flags);
   frame.Note(name);
   return is_open;
 }
@@ -32,7 +33,7 @@ class EditPanel : public Panel {
     const std::string why = frame.viewer.editor.WhyNot();
     if (!why.empty()) return frame.Say(why);
     DrawHistory(frame);
-    if (Section(frame, "Object")) DrawPart(frame, "object", [&] { DrawObject(frame); });
+    if (Section(frame, "Object", true)) DrawPart(frame, "object", [&] { DrawObject(frame); });
     if (Section(frame, "Material")) DrawPart(frame, "material", [&] { DrawMaterials(frame); });
     if (Section(frame, "Lights")) DrawPart(frame, "lights", [&] { DrawLights(frame); });
     if (Section(frame, "Camera and lens")) DrawPart(frame, "camera", [&] { DrawCamera(frame); });
@@ -89,7 +90,7 @@ class EditPanel : public Panel {
         {"x", MoveAxis::x}, {"y", MoveAxis::y}, {"z", MoveAxis::z}, {"plane of view", MoveAxis::view}};
     for (const auto& [name, axis] : axes) {
       Beside(name);
-      if (frame.Check(name, frame.viewer.editor.Axis() == axis))
+      if (frame.Word(name, frame.viewer.editor.Axis() == axis))
         frame.Ask([axis = axis](ViewerState& v) { v.editor.SetAxis(axis); });
     }
   }
@@ -203,6 +204,6 @@ class EditPanel : public Panel {
 
 }  // namespace
 
-extern const PanelKind edit_panel{"Edit", false, [] { return std::unique_ptr<Panel>(new EditPanel); }};
+extern const PanelPart edit_part{"edit", [] { return std::unique_ptr<Panel>(new EditPanel); }};
 
 }  // namespace ray

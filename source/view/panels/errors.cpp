@@ -48,12 +48,13 @@ class ErrorsPanel : public Panel {
       ImGui::Separator();
     }
     if (errors.size() > most) frame.Say("and " + std::to_string(errors.size() - most) + " more");
-    frame.Say("The scene as it was before is shown.");
+    frame.Say(frame.viewer.scene.ShowsNothing() ? "The scene is shown once the file is right."
+                                                : "The scene from before is shown.");
   }
 };
 
 }  // namespace
 
-extern const PanelKind errors_panel{"Errors", true, [] { return std::unique_ptr<Panel>(new ErrorsPanel); }};
+extern const PanelPart errors_part{"errors", [] { return std::unique_ptr<Panel>(new ErrorsPanel); }};
 
 }  // namespace ray

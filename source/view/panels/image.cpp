@@ -112,6 +112,6 @@ class ImagePanel : public Panel {
 
 }  // namespace
 
-extern const PanelKind image_panel{"Image", false, [] { return std::unique_ptr<Panel>(new ImagePanel); }};
+extern const PanelPart image_part{"image", [] { return std::unique_ptr<Panel>(new ImagePanel); }};
 
 }  // namespace ray

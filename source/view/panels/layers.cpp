@@ -70,11 +70,11 @@ class LayersPanel : public Panel {
 
  private:
   static void DrawModes(PanelFrame& frame, const RenderJob* job) {
-    if (frame.Choice("off", !job) && job) frame.Ask([](ViewerState& v) { ShowLayer(v, {}); });
+    if (frame.Choice("off", !job) && job) frame.Ask(ShowPreview);
     for (std::size_t i = 0; i < render_modes.size(); ++i) {
       const auto mode = static_cast<RenderMode>(i);
       if (frame.Choice(render_modes[i], job && job->Settings().mode == mode))
-        frame.Ask([mode](ViewerState& v) { ShowLayer(v, mode); });
+        frame.Ask([mode](ViewerState& v) { ShowTraced(v, mode); });
     }
   }
 
@@ -117,6 +117,6 @@ class LayersPanel : public Panel {
 
 }  // namespace
 
-extern const PanelKind layers_panel{"Layers", false, [] { return std::unique_ptr<Panel>(new LayersPanel); }};
+extern const PanelPart layers_part{"layers", [] { return std::unique_ptr<Panel>(new LayersPanel); }};
 
 }  // namespace ray

@@ -12,9 +12,8 @@ class LookPanel : public Panel {
   void Draw(PanelFrame& frame) override {
     const PanelSettings now = frame.viewer.panels->Look();
     const auto ask = [&](const PanelSettings& look) { frame.Ask([look](ViewerState& v) { SetPanelLook(v, look); }); };
-    for (const auto& [name, theme] : {std::pair{"dark", PanelTheme::dark}, std::pair{"light", PanelTheme::light}}) {
-      if (ImGui::RadioButton(name, now.theme == theme)) ask({theme, now.letters, now.width});
-      frame.Note(name);
+    for (const auto& [name, theme] : {std::pair{"dark theme", PanelTheme::dark}, std::pair{"light theme", PanelTheme::light}}) {
+      if (frame.Word(name, now.theme == theme)) ask({theme, now.letters, now.width});
       if (theme == PanelTheme::dark) ImGui::SameLine();
     }
     constexpr double step = 1.25;
@@ -26,6 +25,6 @@ class LookPanel : public Panel {
 
 }  // namespace
 
-extern const PanelKind look_panel{"Look", false, [] { return std::unique_ptr<Panel>(new LookPanel); }};
+extern const PanelPart look_part{"look", [] { return std::unique_ptr<Panel>(new LookPanel); }};
 
 }  // namespace ray

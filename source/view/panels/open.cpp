@@ -44,6 +44,6 @@ class OpenPanel : public Panel {
 
 }  // namespace
 
-extern const PanelKind open_panel{"Open", true, [] { return std::unique_ptr<Panel>(new OpenPanel); }};
+extern const PanelPart open_part{"open", [] { return std::unique_ptr<Panel>(new OpenPanel); }};
 
 }  // namespace ray

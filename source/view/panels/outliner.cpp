@@ -129,6 +129,6 @@ class Outliner : public Panel {
 
 }  // namespace
 
-extern const PanelKind outliner_panel{"Scene", true, [] { return std::unique_ptr<Panel>(new Outliner); }};
+extern const PanelPart outliner_part{"outline", [] { return std::unique_ptr<Panel>(new Outliner); }};
 
 }  // namespace ray

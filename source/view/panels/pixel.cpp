@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <span>
 #include <utility>
 
 #include "source/text/NumberText.h"
 #include "source/view/commands/Commands.h"
+#include "source/view/overlay/PixelExplanation.h"
 #include "source/view/panels/Panel.h"
 #include "source/view/panels/Tree.h"
 
@@ -63,6 +65,9 @@ void DrawLegend(PanelFrame& frame) {
   }
   DrawSwatch(std::array<Rgba, 1>{ColorOfNormals()});
   if (frame.Check("normals", look.normals)) frame.Ask([](ViewerState& v) { ToggleNormals(v); });
+  if (frame.viewer.rays.Foreign().empty()) return;
+  DrawSwatch(std::array<Rgba, 1>{ColorOfForeign()});
+  frame.Say("of another tracer");
 }
 
 /// How many rays are traced to be looked at, each a number that is typed.
@@ -81,7 +86,7 @@ void DrawCounts(PanelFrame& frame) {
   };
   number("camera rays per pixel", &DebugRayCounts::camera);
   number("shadow rays per light", &DebugRayCounts::shadow);
-  number("pixels apart in the cut", &DebugRayCounts::spacing);
+  number("pixels of the cut", &DebugRayCounts::in_cut);
 }
 
 class PixelPanel : public Panel {
@@ -106,32 +111,60 @@ class PixelPanel : public Panel {
     frame.Say("kind, luminance it contributes | length, what it hits");
     Read(frame, pixel);
     DrawTree(frame, pixel);
+    if (!explanation_.empty()) frame.Say(explanation_);
+    if (const auto& difference = frame.viewer.rays.Difference()) frame.Say("the other tracer: " + difference->text);
     const auto chosen = frame.viewer.rays.Look().chosen;
     if (!chosen) return;
     DrawRay(frame, pixel.rays[*chosen]);
     frame.Fact("subtree", Brief(contribution_[*chosen]) + " contributed in all");
+    if (frame.Check("counts", !left_out_.contains(*chosen)))
+      if (left_out_.erase(*chosen) == 0) left_out_.insert(*chosen);
+    if (!left_out_.empty()) DrawRest(frame, pixel);
+  }
+
+  /// The color of the pixel without the rays that are left out, as a swatch and in numbers.
+  void DrawRest(PanelFrame& frame, const PixelTrace& pixel) const {
+    R2::Color rest = pixel.Mean();
+    for (const std::size_t ray : left_out_) {
+      bool is_counted = false;  // with one that it comes from
+      for (int up = pixel.rays[ray].parent; up != RecordedRay::none; up = pixel.rays[static_cast<std::size_t>(up)].parent)
+        is_counted |= left_out_.contains(static_cast<std::size_t>(up));
+      if (!is_counted) rest = rest - contribution_[ray] / static_cast<double>(pixel.samples.size());
+    }
+    const Rgba shown = Shown(frame.viewer.settings.render.srgb ? EncodeSrgb(Clamped(rest)) : rest);
+    DrawSwatch(std::array<Rgba, 1>{shown});
+    frame.Fact("pixel without", Brief(rest));
   }
 
   /// What each ray leads to, and what all of that contributes; read again for each trace of a pixel.
   void Read(const PanelFrame& frame, const PixelTrace& pixel) {
     const int trace = frame.viewer.rays.TraceNumber();
-    if (std::exchange(trace_, trace) == trace) return;
+    const R2::Image* const reference = frame.viewer.pictures.Reference().get();
+    if (std::exchange(trace_, trace) == trace && std::exchange(reference_, reference) == reference) return;
     rays_.Forget();
     children_.assign(pixel.rays.size(), {});
-    contribution_.clear();
+    contribution_ = SubtreeLight(pixel);
     roots_.clear();
-    for (const RecordedRay& ray : pixel.rays) contribution_.push_back(ray.contribution);
-    for (std::size_t i = pixel.rays.size(); i-- > 0;) {
-      const int parent = pixel.rays[i].parent;
-      if (parent == RecordedRay::none) continue;
-      children_[static_cast<std::size_t>(parent)].push_back(i);
-      contribution_[static_cast<std::size_t>(parent)] += contribution_[i];
-    }
-    for (std::size_t i = 0; i < pixel.rays.size(); ++i) {
-      std::ranges::reverse(children_[i]);
-      if (pixel.rays[i].parent == RecordedRay::none) roots_.push_back(i);
-    }
+    left_out_.clear();
+    for (std::size_t i = 0; i < pixel.rays.size(); ++i)
+      (pixel.rays[i].parent == RecordedRay::none ? roots_ : children_[static_cast<std::size_t>(pixel.rays[i].parent)])
+          .push_back(i);
+    const auto light = [&](std::size_t i) { return -Luminance(contribution_[i]); };
+    for (auto& children : children_) std::ranges::stable_sort(children, {}, light);
     if (roots_.size() == 1) rays_.SetOpen(roots_[0], true);
+    Explain(frame, pixel);
+  }
+
+  /// Why the pixel differs from the reference, where there is one of its image.
+  void Explain(const PanelFrame& frame, const PixelTrace& pixel) {
+    explanation_.clear();
+    const std::shared_ptr<const R2::Image>& reference = frame.viewer.pictures.Reference();
+    const RenderSettings& settings = frame.viewer.rays.PixelSettings();
+    if (!reference || reference->Width() != settings.width || reference->Height() != settings.height) return;
+    const R2::Color wanted = reference->At(pixel.column, pixel.row);
+    explanation_ = "reference " + Brief(wanted);
+    if (const auto why = ExplainPixel(pixel, wanted, frame.viewer.scene.Loaded(), settings))
+      explanation_ += ": " + why->text;
   }
 
   void DrawTree(PanelFrame& frame, const PixelTrace& pixel) {
@@ -140,6 +173,7 @@ class PixelPanel : public Panel {
       const RecordedRay& ray = pixel.rays[i];
       const std::string hit = HitBy(ray, world);
       std::string text = ray_kind_names[static_cast<std::size_t>(ray.kind)];
+      if (ray.kind == RayKind::shadow) text += " to " + ray.towards.substr(0, ray.towards.find(' '));
       text += " " + Rounded(Luminance(contribution_[i]), 3) + " | " + LengthOf(ray);
       if (!hit.empty()) text += (ray.kind == RayKind::shadow ? " blocked by " : " to ") + hit;
       return text;
@@ -166,14 +200,17 @@ class PixelPanel : public Panel {
   }
 
   int trace_ = 0;  // as RayInspector counts, from 1
+  const R2::Image* reference_ = nullptr;
   Tree rays_;
   std::vector<std::size_t> roots_;                  // the rays from the camera
   std::vector<std::vector<std::size_t>> children_;  // of each ray
   std::vector<R2::Color> contribution_;             // of each, with all that it leads to
+  std::set<std::size_t> left_out_;                  // of the color of the pixel
+  std::string explanation_;                         // of its difference from the reference; empty without one
 };
 
 }  // namespace
 
-extern const PanelKind pixel_panel{"Pixel", true, [] { return std::unique_ptr<Panel>(new PixelPanel); }};
+extern const PanelPart pixel_part{"pixel", [] { return std::unique_ptr<Panel>(new PixelPanel); }};
 
 }  // namespace ray

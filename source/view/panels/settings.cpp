@@ -61,7 +61,7 @@ void DrawOption(PanelFrame& frame, const ShownOption& option) {
 class SettingsPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const std::string command = frame.viewer.host.CommandFor(frame.viewer.SettingsOfView());
+    const std::string command = frame.viewer.host.CommandFor(frame.viewer.SettingsOfImage());
     if (!command.empty()) {
       frame.Say(command);
       if (frame.viewer.HasMovedCamera()) frame.Say("with the camera moved; key C prints its line");
@@ -87,6 +87,6 @@ class SettingsPanel : public Panel {
 
 }  // namespace
 
-extern const PanelKind settings_panel{"Settings", false, [] { return std::unique_ptr<Panel>(new SettingsPanel); }};
+extern const PanelPart settings_part{"settings", [] { return std::unique_ptr<Panel>(new SettingsPanel); }};
 
 }  // namespace ray

@@ -58,7 +58,6 @@ class StatisticsPanel : public Panel {
 
 }  // namespace
 
-extern const PanelKind statistics_panel{"Statistics", false,
-                                        [] { return std::unique_ptr<Panel>(new StatisticsPanel); }};
+extern const PanelPart statistics_part{"statistics", [] { return std::unique_ptr<Panel>(new StatisticsPanel); }};
 
 }  // namespace ray

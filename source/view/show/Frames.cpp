@@ -42,7 +42,7 @@ std::optional<FrameState::Picture> QuadInSpace(const ViewerState& viewer, const 
 /// The image that covers the view, live or flat; nothing where none does.
 std::optional<FrameState::Picture> CoveringPicture(const ViewerState& viewer) {
   FrameState::Picture picture;
-  picture.exposure = {R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb};
+  picture.exposure = {R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb, viewer.settings.render.quantization};
   const bool is_traced = !viewer.pictures.IsLive() && viewer.pictures.Trace();
   picture.place = is_traced ? viewer.PlaceOf(*viewer.pictures.Trace()) : viewer.PlaceOfPicture();
   if (auto compared = viewer.pictures.Compared()) {
@@ -55,8 +55,9 @@ std::optional<FrameState::Picture> CoveringPicture(const ViewerState& viewer) {
     ShowTrace(viewer.pictures, picture);
     return picture;
   }
-  if (!viewer.pictures.ShownLive()) return {};
+  if (!viewer.pictures.ShownLive() || !viewer.overlays.faces) return {};
   const RenderJob& job = *viewer.pictures.ShownLive();
+  picture.opacity = viewer.pictures.Opacity();
   const RenderMode mode = job.Settings().mode;
   if (IsLight(mode)) {
     picture.frame = &job.frame();
@@ -64,7 +65,7 @@ std::optional<FrameState::Picture> CoveringPicture(const ViewerState& viewer) {
   } else {
     // Colors that stand for something else than light: as image files show them.
     picture.image = std::make_shared<const R2::Image>(LayerAsShown(mode, job.frame().Image()));
-    picture.exposure = {};
+    picture.exposure = {1, false, viewer.settings.render.quantization};
   }
   return picture;
 }
@@ -87,32 +88,9 @@ void ShowFlat(const ViewerState& viewer, FrameState& shown) {
   shown.beside->place = is_whole ? viewer.PlaceOfPicture() : shown.picture->place;
 }
 
-/// The distances of the nearest and the farthest surface that the preview shows, as mode zbuffer or depth needs them.
-ZBufferRange DepthsOfPreview(const ViewerState& viewer) {
-  const ZBufferRange& given = viewer.settings.render.trace.zbuffer;
-  if (viewer.settings.render.mode == RenderMode::zbuffer && !given.IsOfPicture()) return given;
-  constexpr int across = 64;  // rays each way: what is between them is hardly nearer or farther
-  const Camera camera = viewer.CameraOfPicture();
-  ZBufferRange range{R3::infinity, 0};
-  Workspace workspace;
-  for (int row = 0; row < across; ++row)
-    for (int column = 0; column < across; ++column) {
-      const double x = (column + 0.5) / across, y = (row + 0.5) / across;
-      const R3::Ray ray = camera.Through(x * viewer.SizeOfPreview().width, y * viewer.SizeOfPreview().height,
-                                         viewer.SizeOfPreview().width, viewer.SizeOfPreview().height);
-      const auto hit = viewer.scene.Loaded().accelerator->Intersect(ray, workspace);
-      if (!hit) continue;
-      const double distance = hit->t * Length(ray.direction);
-      range = {std::min(range.near, distance), std::max(range.far, distance)};
-    }
-  return range.far > 0 ? range : ZBufferRange{0, 1};
-}
-
-/// The background in the colors that the tracer's mode gives it.
-R2::Color BackgroundOfPreview(const ViewerState& viewer) {
-  const RenderMode mode = viewer.settings.render.mode;
-  if (mode == RenderMode::normal) return {0.5, 0.5, 0.5};
-  return ShowsBackground(mode) ? viewer.scene.Parsed().background : R2::Color{};
+/// Whether lines in space are drawn over the view.
+bool HasLines(const FrameState& shown) {
+  return !shown.lines->empty() || (shown.marks && !shown.marks->empty()) || shown.lit || shown.shows_edges;
 }
 
 }  // namespace
@@ -127,15 +105,11 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
     shown.section_ground = viewer.section_pane.theme == PanelTheme::light ? light_section_ground : dark_section_ground;
     shown.section = {viewer.section_pane.drawing, &viewer.section_pane.drawing->lines};
   }
-  const Exposure exposure{R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb};
-  const R2::Color background = exposure.factor * BackgroundOfPreview(viewer);
+  const Exposure exposure{R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb,
+                          viewer.settings.render.quantization};
+  const R2::Color background = exposure.factor * viewer.scene.Parsed().background;
   shown.background = exposure.srgb ? EncodeSrgb(background) : background;
   shown.seen_from = ViewFrom(viewer.CameraOfPicture(), viewer.scene.Space(), viewer.SizeOfPreview(), exposure);
-  if (ShowsDepth(viewer.settings.render.mode)) {
-    const ZBufferRange depths = DepthsOfPreview(viewer);
-    shown.seen_from.depths = {static_cast<float>(depths.near / viewer.scene.Space().radius),
-                              static_cast<float>(depths.far / viewer.scene.Space().radius)};
-  }
   shown.clip_from_drawing =
       ClipFromDrawing(viewer.CameraOfPicture(), viewer.scene.Space(), BoxOfDrawing(viewer), viewer.SizeOfPreview());
   shown.faces = viewer.scene.Faces();
@@ -151,6 +125,11 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
         std::make_shared<const Lines>(ChosenRay(*viewer.rays.Pixel(), viewer.scene.Space(), viewer.rays.Look()));
   shown.quad = QuadInSpace(viewer, exposure);
   shown.picture = CoveringPicture(viewer);
+  if (shown.picture && viewer.pictures.ShownLive() && HasLines(shown) && viewer.navigator.camera().IsPinhole()) {
+    viewer.pictures.TraceDepths();
+    if (const RenderJob* depths = viewer.pictures.Depths())
+      shown.picture->depths = {&depths->frame(), viewer.pictures.DepthsNumber(), viewer.scene.Space().radius};
+  }
   ShowFlat(viewer, shown);
   shown.line_width = LineWidth(viewer);
   shown.labels = MakeLabels(viewer);

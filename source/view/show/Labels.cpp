@@ -87,9 +87,9 @@ std::string TextOfProblems(const ViewerState& viewer) {
   text += (text.empty() ? "" : ": ") + first.message.substr(0, first.message.find('\n'));
   const std::size_t more = viewer.scene.Mistakes().size() - 1;
   if (more > 0) text += ", and " + Counted(more, "more mistake");
-  return text + (viewer.scene.MistakenFile() == viewer.settings.scene
-                     ? ". The scene from before is shown until the file is right."
-                     : ". Escape closes this.");
+  if (viewer.scene.MistakenFile() != viewer.settings.scene) return text + ". Escape closes this.";
+  return text + (viewer.scene.ShowsNothing() ? ". The scene is shown once the file is right."
+                                             : ". The scene from before is shown until the file is right.");
 }
 
 std::vector<Label> MakeLabels(const ViewerState& viewer) {
@@ -102,6 +102,8 @@ std::vector<Label> MakeLabels(const ViewerState& viewer) {
     upper.emplace_back("cross section: " + viewer.section.Describe(viewer.screen.size.height), text_color);
     if (std::string text = TextOfSection(viewer); !text.empty()) upper.emplace_back(std::move(text), text_color);
   }
+  if (viewer.scene.ShowsNothing() && viewer.scene.Mistakes().empty())
+    upper.emplace_back("the scene has no shapes", text_color);
   if (std::string text = viewer.pictures.ScaleOfComparison(); !text.empty())
     upper.emplace_back(std::move(text), text_color);
   if (std::string text = TextOfProjection(viewer); !text.empty()) upper.emplace_back(std::move(text), text_color);

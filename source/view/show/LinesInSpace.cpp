@@ -41,6 +41,11 @@ Lines MakeLines(const ViewerState& viewer) {
   // Each by itself: what fades among many rays of the grid must not take those of a pixel along.
   if (viewer.rays.ShowsGrid()) Append(lines, RayLines(viewer.rays.Grid(), space, viewer.rays.Look().WithoutChoice()));
   if (viewer.rays.Pixel()) Append(lines, RayLines({*viewer.rays.Pixel()}, space, viewer.rays.Look()));
+  if (!viewer.rays.Foreign().empty()) {
+    const auto& difference = viewer.rays.Difference();
+    Append(lines, ForeignLines(AsTrace(viewer.rays.Foreign(), space.radius), space,
+                               difference ? std::optional(difference->foreign) : std::nullopt));
+  }
   return lines;
 }
 

@@ -18,8 +18,7 @@ std::string TitleOf(const ViewerState& viewer) {
   return name + (viewer.editor.HasUnsaved() ? "* " : " ") + std::to_string(viewer.screen.size.width) + "x" +
          std::to_string(viewer.screen.size.height) +
          (viewer.scene.Mistakes().empty() ? "" : " (mistakes in " + viewer.scene.MistakenFile() + ")") +
-         (viewer.status.Text().empty() ? "" : " " + viewer.status.Text()) +
-         (viewer.scene.Notes().empty() ? "" : " (" + viewer.scene.Notes() + ")");
+         (viewer.status.Text().empty() ? "" : " " + viewer.status.Text());
 }
 
 std::string StateInWords(ViewerState& viewer) {

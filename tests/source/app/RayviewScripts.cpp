@@ -49,7 +49,7 @@ class RayviewScripts : public ::testing::Test {
 
 TEST_F(RayviewScripts, TheRedConeTurnsGreenAndMovesAndIsSaved) {
   const Finished viewed = Follow(
-      "resize 900 2000\nkey Tab\npanel cone, line 18\npanel Scene\npanel Edit\n"
+      "resize 900 2000\nkey Tab\npanel cone, line 18\npanel Material\n"
       "panel diffuse (kd)\ntype 0.1 0.6 0.15\nkey Enter\npanel pick diffuse\n"
       "key =\nkey Control+Z\nkey Control+Y\nkey Control+S\n"
       "key Tab\nresize 96 64\nkey S\nwait trace\nprint\n");

@@ -74,6 +74,57 @@ TEST_F(Rayview, KeySWritesTheBytesThatRayproWrites) {
   }
 }
 
+// What a window shows at rest is what an image file would hold, of every kind of scene and course.
+TEST_F(Rayview, TheTracedImageHasTheBytesOfRaypro) {
+  const std::vector<std::string> scenes{
+      "area_light.scn", "bezier.scn",       "blob.scn",           "bump.scn",           "camera_motion.scn", "coat.scn",
+      "cornell.scn",    "csg.scn",          "drink.scn",         "emissive.scn",      "environment.scn",
+      "fisheye.scn",    "globe.yaml",       "gooch.yaml",         "hatching.scn",       "hierarchy.scn",     "implicit.scn",
+      "adaptive.yaml",  "lens.scn",         "spot_light.scn",     "many_lights.scn",    "mirrors.json",      "motion.scn",
+      "normal_map.scn", "pearls.json",      "smooth.scn",         "texture.scn",        "groningen/csg.yaml", "comp30019/room.txt",
+      "zbuffer.yml",    "groningen/fisheye.yaml"};
+  for (const std::string& scene : scenes) {
+    const std::vector<std::string> options{"-width", "40", "-height", "30", "-samples", "4", "-shadow_samples", "1", "-quiet"};
+    const Finished viewed = Run(testing::With({Scene(scene), "-headless", "-exit_immediately", "-preview", "traced",
+                                               "-output_image", folder / "view.ppm"},
+                                              options));
+    ASSERT_EQ(viewed.status, 0) << viewed.error;
+    ASSERT_EQ(testing::RunProgram(testing::With({Scene(scene), folder / "pro.ppm"}, options)).status, 0) << scene;
+    EXPECT_TRUE(ReadFile(folder / "view.ppm") == ReadFile(folder / "pro.ppm")) << scene;
+  }
+}
+
+TEST_F(Rayview, AClickWhereNoRayIsHarmsNothing) {
+  for (const char* scene : {"fisheye.scn", "groningen/fisheye.yaml", "camera_motion.scn", "empty.scn"}) {
+    const Finished viewed =
+        Follow(Scene(scene), "wait image\nclick left 1 1\nclick right 1 1\nclick left 1 1\nkey Tab\nkey K\nkey X\n"
+                             "move 1 1\nkey G\nkey O\nkey Backspace\nprint\n");
+    EXPECT_EQ(viewed.status, 0) << scene << viewed.error;
+    EXPECT_NE(viewed.output.find("scene "), std::string::npos) << scene;
+  }
+  for (const char* file : {"rays1.obj", "rays2.obj", "rays3.obj", "rays4.obj"}) std::filesystem::remove(file);
+}
+
+// Three mistakes of a student's tracer, found by one printf: what its lines are is computed by hand.
+TEST_F(Rayview, MistakesOfAnotherTracerAreNamedByItsRays) {
+  const std::string scene = WriteFile(
+      folder / "ball.scn",
+      "camera 0 1 6  0 0 -1  0 1 0  0.4  0.01 100\npoint_light 1 1 1  3 5 6  1 0 0\n"
+      "material 0.1 0.1 0.1  0 0 0  0 0 0  0.9 0.9 0.9  0 0 0  10 1.5 0\nsphere 0  0 1 0  1\n");
+  const std::string pixel = "pixel 44 30\n", camera = "camera 0 1 6  0.23922 1.0266 0.9706\n",
+                    from = "0.23922 1.0266 0.9706  ";
+  for (const auto& [rays, verdict] :
+       {std::pair{pixel + camera + "transmission " + from + "0.3295 1.03663 -0.9272\n", "it goes straight on"},
+        {pixel + camera + "transmission " + from + "0.53784 1.05978 -0.49901\n", "refraction with eta inverted"},
+        {pixel + "camera 0 1 6  0.114 1.01265 1\n", "the half angle is taken for the whole one"},
+        {pixel + camera + "shadw 0 0 0  1 1 1\n", "is no kind of ray"}}) {
+    const Finished viewed = Run({scene, "-headless", "-rays", WriteFile(folder / "mine.rays", rays), "-width", "80",
+                                 "-height", "60", "-events", WriteFile(folder / "print.events", "print\n")});
+    EXPECT_EQ(viewed.status, 0) << viewed.error;
+    EXPECT_NE(viewed.output.find(verdict), std::string::npos) << verdict << "\n" << viewed.output;
+  }
+}
+
 // Settings of the scene before are forgotten, those that were typed stay.
 TEST_F(Rayview, ASceneThatIsReadLaterBringsItsOwnSettings) {
   for (const auto& [first, then] : {std::pair{"hello.scn", "toon.scn"}, {"toon.scn", "first.scn"}}) {
@@ -265,7 +316,7 @@ TEST_F(Rayview, ARecordingDoesTheSameAgain) {
 TEST_F(Rayview, ARecordingOfPanelsEndsWithTheSameDrawing) {
   const std::string recorded = folder / "recorded.events";
   const std::string script =
-      "resize 600 500\nkey Tab\npanel Scene\npanel Settings\npanel light\npanel -max_depth\nkey Control+A\ntype 7\n"
+      "resize 600 500\nkey Tab\npanel Scene\npanel Render\npanel light\npanel -max_depth\nkey Control+A\ntype 7\n"
       "key Enter\nclick right 100 250\npanel camera\nkey Tab\nkey Tab\n";
   const Finished first = Follow(Scene("hello.scn"), script, {"-record", recorded, "-screenshot", folder / "first.ppm"});
   ASSERT_EQ(first.status, 0) << first.error;
@@ -276,7 +327,7 @@ TEST_F(Rayview, ARecordingOfPanelsEndsWithTheSameDrawing) {
 
 TEST_F(Rayview, SettingsOfPanelsAreThoseOfTheSavedImage) {
   const std::string script =
-      "resize 600 500\nkey Tab\npanel Scene\npanel Settings\npanel light\npanel -max_depth\nkey Control+A\ntype 1\n"
+      "resize 600 500\nkey Tab\npanel Scene\npanel Render\npanel light\npanel -max_depth\nkey Control+A\ntype 1\n"
       "key Enter\nkey S\nwait trace\n";
   const Finished viewed = Follow(Scene("hello.scn"), script, {"-image", folder / "view.png"});
   ASSERT_EQ(viewed.status, 0) << viewed.error;

@@ -25,9 +25,9 @@ TEST_F(ViewerTest, BesideTheCutAClickMeansWhatIsSeenThere) {
   const R3::Point without = *viewer_->Picked()->point;
   Do("key X\nclick left 10 27");
   ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);
-  EXPECT_EQ(*viewer_->Picked()->point, without);
+  EXPECT_LT(Length(*viewer_->Picked()->point - without), 0.2) << "the middle of a pixel twice as wide";
   Do("click right 10 27");
-  EXPECT_EQ(StateLine("pixel"), "20 30");
+  EXPECT_EQ(StateLine("pixel"), "10 27");
   Do("tick 1\nclick left 10 27\nclick left 10 27");
   ASSERT_TRUE(viewer_->navigator().Pivot());
   const auto seen = PixelOf(camera(), *viewer_->navigator().Pivot(), {width / 2, height});

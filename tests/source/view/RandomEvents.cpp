@@ -112,7 +112,7 @@ class RandomUser {
     ViewerSettings settings;
     settings.scene = folder_ / "hello.scn";
     settings.render.width = settings.render.height = 48;
-    settings.live_is_endless = true;
+    settings.budget_of_rest = true;
     viewer_ = std::make_unique<Viewer>(
         settings, std::make_shared<const LoadedScene>(settings.scene, settings.parse, settings.accelerator), host_);
   }
@@ -157,7 +157,7 @@ class RandomUser {
     if (viewer_->state().shows.help) Do(KeyEvent{Key::escape, {}, true});
     if (!viewer_->state().shows.panels) Do(KeyEvent{Key::tab, {}, true});
     Do(ResizeEvent{400, 1600, 1});  // so that all of a panel is seen
-    if (!AnItem("material")) ClickItem("Edit");
+    if (!AnItem("material")) ClickItem("Scene");
     ClickItem("material");
     const std::size_t done = viewer_->state().editor.History().Done();
     if (const auto slider = AnItem("slide ")) {

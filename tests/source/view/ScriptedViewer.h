@@ -23,15 +23,16 @@ class ScriptedViewer : public ::testing::Test {
  protected:
   static constexpr int width = width_of_drawing, height = height_of_drawing;  // when it is opened
 
-  void Open(const std::filesystem::path& scene, const RenderSettings& render = {}, bool live_is_endless = false) {
+  void Open(const std::filesystem::path& scene, const RenderSettings& render = {}, bool budget_of_rest = false) {
     ViewerSettings settings;
     settings.scene = scene;
     settings.render = render;
     settings.render.width = width;
     settings.render.height = height;
-    settings.live_is_endless = live_is_endless;
+    settings.budget_of_rest = budget_of_rest;
     viewer_ = std::make_unique<Viewer>(
         settings, std::make_shared<const LoadedScene>(scene, settings.parse, settings.accelerator), host_);
+    viewer_->WaitForFaces();
   }
   void SetUp() override { Open(project::Root() / "scenes/hello.scn"); }
 

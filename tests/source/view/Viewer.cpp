@@ -274,16 +274,6 @@ TEST_F(ViewerTest, BookmarksOfTwoWindowsAreAllKept) {
   EXPECT_EQ(viewer_->Message(), "at bookmark 2");
 }
 
-TEST_F(ViewerTest, AModeOtherThanTheUsualIsNamed) {
-  RenderSettings render;
-  render.mode = RenderMode::gooch;
-  Open(project::Root() / "scenes/hello.scn", render);
-  EXPECT_NE(viewer_->Title().find("mode gooch"), std::string::npos) << viewer_->Title();
-  render.mode = RenderMode::heat;
-  Open(project::Root() / "scenes/hello.scn", render);
-  EXPECT_NE(viewer_->Title().find("mode heat, which the preview does not show"), std::string::npos);
-}
-
 TEST_F(ViewerTest, DroppedFilesAreScenesOrReferences) {
   Do("drop " + (project::Root() / "scenes/glass.scn").string());
   EXPECT_NE(StateLine("scene").find("glass.scn"), std::string::npos);

@@ -78,9 +78,9 @@ TEST_P(CoarseDrawing, StaysInItsViewportAndClip) {
 
 TEST_P(CoarseDrawing, HidesLinesBehindIt) {
   const ray::ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  ray::ScenePicture wall;
+  ray::PreviewScene wall;
   for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}})
-    wall.surfaces.vertices.push_back({{x, y, 0}, ray::Packed(0, 0, -1)});
+    wall.surfaces.vertices.push_back({{x, y, 0}, {0, 0, -32767, 0}});
   wall.surfaces.indices = {0, 1, 2, 0, 2, 3};
   ray::SurfaceMaterial blue;
   blue.emission = {0, 0, 1};
@@ -90,7 +90,7 @@ TEST_P(CoarseDrawing, HidesLinesBehindIt) {
     painter->canvas.Begin(32, 32, {});
     painter->coarse.Draw(2, [&] {
       painter->canvas.Fill({});
-      painter->surfaces.Draw(*surfaces, as_it_is, {{0, 0, -4}, {}, {}});
+      painter->surfaces.Draw(*surfaces, as_it_is, {{0, 0, -4}, {}, {}}, false);
     });
     const ray::Lines across{{{-1, 0, depth}, {255, 0, 0, 255}}, {{1, 0, depth}, {255, 0, 0, 255}}};
     painter->lists.Draw(*painter->lists.Upload(across), as_it_is, 3, 0);

@@ -34,11 +34,16 @@ ray::SurfaceMaterial Shining(const Rgba& color) {
   return material;
 }
 
+std::array<std::int16_t, 4> Packed(float x, float y, float z) {
+  const auto channel = [](float c) { return static_cast<std::int16_t>(c * 32767); };
+  return {channel(x), channel(y), channel(z), 0};
+}
+
 /// A rectangle over all that is seen, at a depth in [-1, 1], -1 in front.
-ray::ScenePicture Wall(float depth, const Rgba& color) {
-  ray::ScenePicture wall;
+ray::PreviewScene Wall(float depth, const Rgba& color) {
+  ray::PreviewScene wall;
   for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}})
-    wall.surfaces.vertices.push_back({{x, y, depth}, ray::Packed(0, 0, -1)});
+    wall.surfaces.vertices.push_back({{x, y, depth}, Packed(0, 0, -1)});
   wall.surfaces.indices = {0, 1, 2, 0, 2, 3};
   wall.surfaces.batches = {{Shining(color), 0, 6, color[3] < 255}};
   return wall;
@@ -56,20 +61,16 @@ R2::Image Thicket() {
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 16; ++x) image.Set(x, y, color());
   const auto texture = std::make_shared<const ray::Texture>(ray::Texture{image});
-  ray::ScenePicture picture;
+  ray::PreviewScene picture;
   picture.environment = std::make_shared<const ray::Environment>(image);
-  picture.diffuse_light = ray::DiffuseLightOf(*picture.environment);
-  picture.fresnel = true;
+  picture.around = {0.1, 0.2, 0.3};
   for (int i = 0; i < 5; ++i) picture.lights.lights.push_back({color(), {number(), number(), number()}});
   picture.lights.lights.push_back({color(), {0, 0, -3}, false, {0, 0, 1}, 0.9, 8});
   ray::Surfaces& surfaces = picture.surfaces;
   for (std::uint32_t batch = 0; batch < 8; ++batch) {
     ray::SurfaceMaterial m;
-    m.ambient = 0.1 * color(), m.kd = color(), m.ks = color(), m.kr = 0.3 * color(), m.n = 20, m.ir = 1.5;
+    m.ambient = 0.1 * color(), m.kd = color(), m.ks = color(), m.kr = 0.3 * color(), m.n = 20;
     if (batch % 2) m.texture = texture;
-    if (batch % 4 == 2) m.bump = texture, m.bump_height = 0.1;
-    if (batch % 4 == 1) m.normal_map = texture, m.lobe = 0.5;
-    if (batch % 4 == 3) m.coat = 1.4;
     if (batch >= 6) m.kt = color();
     constexpr std::uint32_t count = 3 * 750;
     surfaces.batches.push_back({m, batch * count, count, batch == 7});
@@ -79,7 +80,7 @@ R2::Image Thicket() {
         surfaces.indices.push_back(static_cast<std::uint32_t>(surfaces.vertices.size()));
         surfaces.vertices.push_back(
             {{middle[0] + 0.15F * number(), middle[1] + 0.15F * number(), middle[2] + 0.15F * number()},
-             ray::Packed(0.5 * number(), 0.5 * number(), 0.5)});
+             Packed(0.5F * number(), 0.5F * number(), 0.5F)});
         surfaces.uvs.push_back({number(), number()});
       }
     }
@@ -94,7 +95,7 @@ R2::Image Thicket() {
   const auto uploaded = painter.surfaces.Upload(picture);
   const ray::PreviewView view{{0, 0, -4}, {{{-1, -1, 2}, {2, 0, 0}, {0, 2, 0}}}, {1.2, true}};
   painter.surfaces.DrawSky(*uploaded, view);
-  painter.surfaces.Draw(*uploaded, as_it_is, view);
+  painter.surfaces.Draw(*uploaded, as_it_is, view, true);
   painter.lists.Draw(*painter.lists.Upload(lines), as_it_is, 2, 0.3);
   painter.surfaces.DrawEdges(*uploaded, as_it_is, {0, 0, 0, 40});
   return painter.canvas.Read();
@@ -133,7 +134,7 @@ TEST_P(Painter, BeginsWithTheBackgroundAtWhateverSizeIsAskedFor) {
 TEST_P(Painter, ReadsRowsFromTheBottom) {
   painter->canvas.Begin(8, 8, {});
   painter->canvas.SetViewport(0, 0, 8, 4);
-  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0, red)), as_it_is, from_front);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0, red)), as_it_is, from_front, false);
   const R2::Image image = painter->canvas.Read();
   EXPECT_EQ(PixelOf(image, 3, 0), red);
   EXPECT_EQ(PixelOf(image, 3, 7), (Rgba{0, 0, 0, 255}));
@@ -144,7 +145,7 @@ TEST_P(Painter, ClipsToTheViewport) {
   painter->canvas.SetViewport(5, 6, 7, 8);
   ClipMatrix doubled = as_it_is;
   doubled[0] = doubled[5] = 2;
-  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0, red)), doubled, from_front);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0, red)), doubled, from_front, false);
   const R2::Image image = painter->canvas.Read();
   for (int y = 0; y < 20; ++y)
     for (int x = 0; x < 20; ++x) {
@@ -157,17 +158,17 @@ TEST_P(Painter, ShowsWhatIsInFrontWhateverTheOrder) {
   const auto front = painter->surfaces.Upload(Wall(-0.5F, red)), back = painter->surfaces.Upload(Wall(0.5F, green));
   for (bool is_front_first : {true, false}) {
     painter->canvas.Begin(4, 4, {});
-    painter->surfaces.Draw(is_front_first ? *front : *back, as_it_is, from_front);
-    painter->surfaces.Draw(is_front_first ? *back : *front, as_it_is, from_front);
+    painter->surfaces.Draw(is_front_first ? *front : *back, as_it_is, from_front, false);
+    painter->surfaces.Draw(is_front_first ? *back : *front, as_it_is, from_front, false);
     EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), red);
   }
 }
 
 TEST_P(Painter, BlendsClearTrianglesAndShowsLaterOnesBehind) {
   painter->canvas.Begin(4, 4, {});
-  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(-0.5F, {255, 0, 0, 51})), as_it_is, from_front);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(-0.5F, {255, 0, 0, 51})), as_it_is, from_front, false);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), (Rgba{51, 0, 0, 255}));
-  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0.5F, green)), as_it_is, from_front);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0.5F, green)), as_it_is, from_front, false);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), green);
 }
 
@@ -177,7 +178,7 @@ TEST_P(Painter, DimsHiddenLinesAndLeavesThemOutWhenAskedTo) {
   const auto front = painter->lists.Upload(Across(-0.5F, white)), behind = painter->lists.Upload(Across(0.5F, white));
   const auto at_middle = [&](const ray::GpuLines& lines, double hidden) {
     painter->canvas.Begin(9, 9, {});
-    painter->surfaces.Draw(*wall, as_it_is, from_front);
+    painter->surfaces.Draw(*wall, as_it_is, from_front, false);
     painter->lists.Draw(lines, as_it_is, 1, hidden);
     return PixelOf(painter->canvas.Read(), 4, 4);
   };
@@ -190,7 +191,7 @@ TEST_P(Painter, DimsHiddenLinesAndLeavesThemOutWhenAskedTo) {
 
 TEST_P(Painter, ShowsLinesThatLieOnTriangles) {
   painter->canvas.Begin(9, 9, {});
-  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0, red)), as_it_is, from_front);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0, red)), as_it_is, from_front, false);
   painter->lists.Draw(*painter->lists.Upload(Across(0, white)), as_it_is);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 4, 4), white);
 }
@@ -209,7 +210,7 @@ TEST_P(Painter, DrawsLinesOfTheWidthAskedFor) {
 TEST_P(Painter, DrawsTheEdgesOfTrianglesInOneColor) {
   const auto wall = painter->surfaces.Upload(Wall(0, red));
   painter->canvas.Begin(21, 21, {});
-  painter->surfaces.Draw(*wall, as_it_is, from_front);
+  painter->surfaces.Draw(*wall, as_it_is, from_front, false);
   ClipMatrix smaller = as_it_is;
   smaller[0] = smaller[5] = 0.5;
   painter->surfaces.DrawEdges(*wall, smaller, green);
@@ -333,9 +334,9 @@ TEST_P(Painter, PutsAnImageUprightOnAQuadBehindNearerThings) {
   EXPECT_EQ(PixelOf(image, 8, 1), green);
   EXPECT_EQ(PixelOf(image, 1, 8), (Rgba{0, 0, 255, 255}));
   EXPECT_EQ(PixelOf(image, 8, 8), white);
-  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0.5F, red)), as_it_is, from_front);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0.5F, red)), as_it_is, from_front, false);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 8, 8), white);
-  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(-0.5F, red)), as_it_is, from_front);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(-0.5F, red)), as_it_is, from_front, false);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 8, 8), red);
 }
 
@@ -346,7 +347,7 @@ TEST_P(Painter, BlendsAPictureAndShowsWhatComesLaterBehindIt) {
   painter->canvas.Begin(4, 4, {});
   painter->pictures.Draw(*picture, corners, as_it_is, Look{.alpha = 0.2});
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 1), (Rgba{51, 51, 51, 255}));
-  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0.5F, red)), as_it_is, from_front);
+  painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0.5F, red)), as_it_is, from_front, false);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 1), red);
 }
 
@@ -381,7 +382,7 @@ TEST_P(Painter, DrawsEmptyListsAsNothing) {
   painter->canvas.Begin(4, 4, {1, 1, 1});
   const auto triangles = painter->surfaces.Upload({});
   painter->surfaces.DrawSky(*triangles, from_front);
-  painter->surfaces.Draw(*triangles, as_it_is, from_front);
+  painter->surfaces.Draw(*triangles, as_it_is, from_front, false);
   painter->surfaces.DrawEdges(*triangles, as_it_is, red);
   painter->lists.Draw(*painter->lists.Upload(ray::Lines{}), as_it_is, 1, 0.5);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 0, 0), white);

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "tests/Draw.h"
 #include "tests/Project.h"
 
 namespace {
@@ -17,9 +17,9 @@ TEST(PreviewLights, OfVeryManyAreTheStrongest) {
   std::string text = "sphere -1  0 0 0  1\n";
   for (int i = 0; i < 100; ++i) text += "point_light 1 1 1  " + std::to_string(2 + (i * 37) % 100) + " 0 0  0 0 1\n";
   const auto found = LightsOf(project::Stage(project::FromText(text)));
-  EXPECT_EQ(found.left_out, 36);
+  EXPECT_EQ(found.left_out, 100 - static_cast<int>(ray::most_preview_lights));
   ASSERT_EQ(found.lights.size(), ray::most_preview_lights);
-  for (const ray::PreviewLight& light : found.lights) EXPECT_LT(light.place[0], 2 + 64 - 0.5);
+  for (const ray::PreviewLight& light : found.lights) EXPECT_LT(light.place[0], 2 + ray::most_preview_lights - 0.5);
   EXPECT_FALSE(found.head_light);
 }
 
@@ -65,33 +65,6 @@ TEST(PreviewLights, OfQuadsAreAsStrongAsThoseOfTriangles) {
   EXPECT_EQ(lights[0].color, (R2::Color{2, 1, 0.5}));
 }
 
-// A lamp in a ceiling casts the shadows of what is below it; what bends around would be in its own.
-TEST(PreviewLights, OfFlatEmittersCastShadowsOnTheScenesSide) {
-  const std::string emits =
-      "point_light 0 0 0  0 0 0  1 0 0\nmaterial  0 0 0  0 0 0  0 0 0  0 0 0  2 1 0.5  1 1 0\n";
-  const project::Stage ceiling(
-      project::FromText(emits + "quad 0  -1 3 -1  1 3 -1  1 3 1  -1 3 1\nsphere -1  0 0 0  1\n"));
-  const auto lights = LightsOf(ceiling).lights;
-  ASSERT_EQ(lights.size(), 1u);
-  EXPECT_TRUE(lights[0].casts_shadows && lights[0].is_flat);
-  EXPECT_LT(lights[0].direction[1], -0.999F) << "downward";
-  const double radius = ray::DrawingSpace::Of(ceiling.scene->root.bounds).radius;
-  EXPECT_NEAR(lights[0].radius * radius, std::sqrt(4 / std::numbers::pi), 1e-9) << "as large as the quad";
-
-  R3::MeshData data;
-  data.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}};
-  data.triangles = {{0, 1, 2}, {0, 2, 3}};
-  for (const ray::EmissiveMeshes meshes : {ray::EmissiveMeshes::faces, ray::EmissiveMeshes::whole}) {
-    ray::Scene scene = project::FromText(emits + "tri 0  0 0 0  0 1 0  0 0 1");
-    scene.root.children.back().shape = std::make_shared<const R3::Mesh>(data);
-    ray::RenderSettings settings;
-    settings.trace.emissive_meshes = meshes;
-    const auto bent = LightsOf(project::Stage(std::move(scene)), settings).lights;
-    ASSERT_EQ(bent.size(), 1u);
-    EXPECT_FALSE(bent[0].casts_shadows);
-  }
-}
-
 TEST(PreviewLights, OfAMeshIsAsStrongAsItsLampsTogether) {
   R3::MeshData data;
   data.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -117,6 +90,37 @@ TEST(PreviewLights, ComeFromTheEyeOnlyWhereNothingElseShines) {
                           "material  0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  1 1 0\nsphere 0  3 0 0  1\n"})
     EXPECT_FALSE(LightsOf(project::Stage(project::FromText(unlit + lit))).head_light) << lit;
   EXPECT_FALSE(LightsOf(project::Stage(project::Root() / "scenes/environment.scn")).head_light);
+}
+
+// Every point of the scene that a light may shine on is within the view of its shadow map, in front of it.
+TEST(ShadowViews, SeeTheWholeSceneFromOutsideAndWhatIsAheadFromInside) {
+  Draw draw(7);
+  const auto seen = [](const ray::ClipMatrix& m, const R3::Point& p) {
+    const auto row = [&](std::size_t r) { return m[r] * p.x + m[4 + r] * p.y + m[8 + r] * p.z + m[12 + r]; };
+    const double w = row(3);
+    return w > 0 && std::abs(row(0)) <= w && std::abs(row(1)) <= w && std::abs(row(2)) <= w;
+  };
+  const auto in_ball = [&] {
+    for (;;) {
+      const R3::Point p{draw.Between(-1, 1), draw.Between(-1, 1), draw.Between(-1, 1)};
+      if (Length(p - R3::Point{}) <= 1) return p;
+    }
+  };
+  for (int i = 0; i < 50; ++i) {
+    const R3::Vector towards = Unit(in_ball() - R3::Point{});
+    ray::PreviewLight far, outside, inside;
+    far.place = ray::AsFloats(towards), far.is_infinite = true;
+    outside.place = ray::AsFloats(draw.Between(1.5, 9) * towards);
+    inside.place = ray::AsFloats(0.5 * towards);
+    for (int k = 0; k < 50; ++k) {
+      const R3::Point p = in_ball();
+      EXPECT_TRUE(seen(ShadowViewOf(far), p));
+      EXPECT_TRUE(seen(ShadowViewOf(outside), p));
+      const R3::Vector way = p - (R3::Point{} + 0.5 * towards);
+      const double cosine = Dot(Unit(way), -towards);
+      EXPECT_TRUE(cosine < std::cos(0.7) || Length(way) < 0.1 || seen(ShadowViewOf(inside), p));
+    }
+  }
 }
 
 }  // namespace

@@ -52,21 +52,6 @@ TEST(JobStatus, TellsSamplesPercentAndTimeLeftIfKnown) {
   EXPECT_TRUE(StatusOf(job).ends_with(" Mrays/s")) << StatusOf(job);
 }
 
-TEST(JobStatus, SaysUntilStoppedWhereThereIsNoEnd) {
-  RenderSettings settings = Small();
-  settings.budget.is_endless = true;
-  const testing::Gated gated(16 * 16);
-  RenderJob job(gated.scene, settings, Order::coarse_first);
-  while (job.Samples() != 1 || gated.gate->Waiting() == 0) std::this_thread::yield();
-  EXPECT_TRUE(Begins(StatusOf(job), "1 sample until stopped ")) << StatusOf(job);
-  EXPECT_FALSE(Contains(StatusOf(job), "%")) << StatusOf(job);
-  EXPECT_FALSE(Contains(StatusOf(job), "left")) << StatusOf(job);
-  job.Cancel();
-  gated.gate->Open(1 << 20);
-  while (!job.HasEnded()) std::this_thread::yield();
-  EXPECT_TRUE(Begins(StatusOf(job), "1 sample stopped ")) << StatusOf(job);
-}
-
 TEST(JobStatus, OfRowsTellsTheRow) {
   const testing::Gated gated(16 * 8);  // a row of blocks
   RenderJob job(gated.scene, Small(), Order::rows);

@@ -351,20 +351,23 @@ TEST(RenderJob, ClampsTheFirstSampleLikeAllOthers) {
   }
 }
 
-TEST(RenderJob, WithoutAnEndGoesOnUntilItIsCanceled) {
-  RenderSettings settings = Sized(8, 8);
-  settings.budget.is_endless = true;
-  RenderJob job(Loaded("area_light"), settings, Order::coarse_first);
-  const auto start = Clock::now();
-  while (job.Samples() < 256 && SecondsSince(start) < 120) std::this_thread::sleep_for(std::chrono::microseconds(100));
-  EXPECT_GE(job.Samples(), 256);
-  EXPECT_FALSE(job.HasEnded());
-  EXPECT_EQ(job.Share(), std::nullopt);
-  EXPECT_EQ(job.SecondsLeft(), std::nullopt);
-  job.Cancel();
-  ASSERT_TRUE(Ends(job));
-  EXPECT_FALSE(job.IsComplete());
-  EXPECT_EQ(job.Failure(), "");
+TEST(RenderJob, CanceledCoarseFirstContinuesToTheSameImage) {
+  RenderSettings settings = Sized(40, 30);
+  settings.samples = 64;
+  settings.threads = 1;
+  const auto scene = Loaded("area_light");
+  const RenderResult whole = Render(scene->world, *scene->accelerator, settings);
+  RenderJob first(scene, settings, Order::coarse_first);
+  while (first.Samples() < 2) std::this_thread::yield();
+  first.Cancel();
+  ASSERT_TRUE(Ends(first));
+  ASSERT_TRUE(first.Canceled());
+  EXPECT_EQ(first.Canceled()->image, first.frame().Image());
+  RenderJob second(scene, settings, Order::coarse_first, 1, first.Canceled());
+  EXPECT_GE(second.Samples(), 0);
+  ASSERT_TRUE(Ends(second));
+  ASSERT_TRUE(second.IsComplete());
+  EXPECT_EQ(second.Result()->image, whole.image);
 }
 
 // A picture is worth more when all of it is a little better than when a part of it is much better.

@@ -64,17 +64,24 @@ TEST_F(ViewerTest, TheLivePictureEndsAsRayproMakesIt) {
   EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->state().SettingsOfView()));
 }
 
-TEST_F(ViewerTest, WithoutSamplesAskedForTheLivePictureGrowsUntilEscape) {
-  Open(project::Root() / "scenes/hello.scn", {}, true);
+TEST_F(ViewerTest, WithoutSamplesAskedForTheTracedImageHasThoseOfAViewAtRest) {
+  Open(project::Root() / "scenes/cornell.scn", {}, true);
   Do("key P");
-  EXPECT_EQ(viewer_->Message(), "live rendering, mode whitted, until stopped");
-  while (viewer_->Pictures().Live()->Samples() < 4) std::this_thread::yield();
+  EXPECT_EQ(viewer_->Message(), "traced, mode whitted");
+  while (viewer_->Pictures().Live()->Samples() < 1) std::this_thread::yield();
   viewer_->Update();
-  EXPECT_NE(viewer_->Title().find(" samples until stopped "), std::string::npos) << viewer_->Title();
+  EXPECT_NE(viewer_->Title().find(" of 64 samples "), std::string::npos) << viewer_->Title();
   Do("key Escape");
   WaitUntilIdle();
-  EXPECT_NE(viewer_->Title().find(" samples stopped "), std::string::npos) << viewer_->Title();
+  EXPECT_NE(viewer_->Title().find(" stopped "), std::string::npos) << viewer_->Title();
   EXPECT_TRUE(viewer_->Pictures().IsLive()) << "what there is stays";
+  Do("key P");
+  EXPECT_EQ(viewer_->Message(), "tracing continues");
+  WaitUntilIdle();
+  ASSERT_TRUE(viewer_->Pictures().Live()->IsComplete());
+  RenderSettings all = viewer_->state().SettingsOfView();
+  all.samples = 64;
+  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(all)) << "as if it had never been paused";
   Do("key [");
   EXPECT_TRUE(viewer_->IsBusy()) << "a move begins it anew";
   // Its samples would not be better by being more.

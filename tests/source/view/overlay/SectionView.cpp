@@ -118,9 +118,9 @@ TEST(SectionView, EveryPlaneHasTheEyeItsScreenAndRays) {
     EXPECT_EQ(OfColor(axes, screen).size(), 2u) << plane;
     EXPECT_FALSE(OfColor(axes, {240, 240, 240, 255}, false).empty()) << plane;
   }
-  // 0, spacing, and so on below 100 pixels, of 16 pieces each.
-  EXPECT_EQ(OfColor(CutOfBall(1, {1, 1, 25}), {240, 240, 240, 255}, false).size(), 4u * 2 * 16);
-  EXPECT_EQ(OfColor(CutOfBall(1), {240, 240, 240, 255}, false).size(), 10u * 2 * 16);
+  // So many of 100 pixels, of 16 pieces each.
+  EXPECT_EQ(OfColor(CutOfBall(1, {1, 1, 4}), {240, 240, 240, 255}, false).size(), 4u * 2 * 16);
+  EXPECT_EQ(OfColor(CutOfBall(1), {240, 240, 240, 255}, false).size(), 50u * 2 * 16);
 }
 
 // Along x and y a floor lies flat; along y and z it stood on edge.

@@ -32,6 +32,7 @@ class PanelTest : public ScriptedViewer<WithOptions, 512, 512> {
   }
   std::optional<PanelItem> Find(const std::string& start) {
     viewer_->Show();
+    viewer_->Reveal(start);
     const auto& items = viewer_->ItemsOfPanels();
     const auto found = std::ranges::find_if(items, [&](const PanelItem& i) { return i.name.starts_with(start); });
     return found == items.end() ? std::nullopt : std::optional(*found);
@@ -270,7 +271,7 @@ TEST_F(PanelTest, AnotherPixelHasNoChosenRay) {
 TEST_F(PanelTest, AnOptionIsChosenFromAListOfItsValues) {
   Do("resize 800 800\nkey Tab");
   Click("Scene");
-  Click("Settings");
+  Click("Render");
   Click("light");
   Click("-mode");
   Click("path");
@@ -282,7 +283,7 @@ TEST_F(PanelTest, AnOptionIsTypedAndThePictureStartsOver) {
   Open(project::Root() / "scenes/sphere.scn");
   Do("resize 800 800\nkey Tab\nkey P\nwait trace");
   Click("Scene");
-  Click("Settings");
+  Click("Render");
   Click("light");
   Click("-samples");
   const std::uint64_t before = viewer_->Pictures().JobNumber();
@@ -298,7 +299,7 @@ TEST_F(PanelTest, AnOptionIsTypedAndThePictureStartsOver) {
 TEST_F(PanelTest, AWrongValueIsRefusedAndTold) {
   Do("resize 800 800\nkey Tab");
   Click("Scene");
-  Click("Settings");
+  Click("Render");
   Click("light");
   Click("-samples");
   Do("key Control+A\ntype many\nkey Enter");
@@ -309,7 +310,7 @@ TEST_F(PanelTest, AWrongValueIsRefusedAndTold) {
 TEST_F(PanelTest, KeysThatAreTypedIntoAFieldDoNothingElse) {
   Do("resize 800 800\nkey Tab");
   Click("Scene");
-  Click("Settings");
+  Click("Render");
   Click("light");
   Click("-samples");
   const FrameState before = viewer_->Show();
@@ -323,7 +324,7 @@ TEST_F(PanelTest, KeysThatAreTypedIntoAFieldDoNothingElse) {
 TEST_F(PanelTest, KeysAreTheViewersAgainRightAfterEnter) {
   Do("resize 800 800\nkey Tab");
   Click("Scene");
-  Click("Settings");
+  Click("Render");
   Click("light");
   Click("-samples");
   Do("key Control+A\ntype 2\nkey Enter\nkey E");
@@ -334,7 +335,7 @@ TEST_F(PanelTest, KeysAreTheViewersAgainRightAfterEnter) {
 TEST_F(PanelTest, OptionsStayWhileTheImageIsRendered) {
   Do("resize 800 800\nkey Tab");
   Click("Scene");
-  Click("Settings");
+  Click("Render");
   Click("light");
   viewer_->Handle(KeyEvent{Key::s, {}, true});
   Click("-mode");
@@ -346,7 +347,7 @@ TEST_F(PanelTest, OptionsStayWhileTheImageIsRendered) {
 TEST_F(PanelTest, TheCommandIsCopied) {
   Do("resize 800 800\nkey Tab");
   Click("Scene");
-  Click("Settings");
+  Click("Render");
   Click("copy the command");
   EXPECT_EQ(host_.clipboard, "make -samples 1\n");
 }
@@ -356,7 +357,7 @@ TEST_F(PanelTest, AChosenLayersNumbersAreThoseOfTheImage) {
   Do("resize 256 256\nkey Tab");
   Click("Scene");
   Click("Pixel");
-  Click("Layers");
+  Click("Image");
   Click("live");
   Click("depth");
   Do("wait trace\nmove 40 128");  // beside the panels
@@ -385,7 +386,7 @@ TEST_F(PanelTest, StatisticsAreThoseOfTheRender) {
   Do("resize 256 256\nkey Tab");
   Click("Scene");
   Click("Pixel");
-  Click("Statistics");
+  Click("Render");
   EXPECT_TRUE(Says("Nothing is rendered yet"));
   Do("key P\nwait trace");
   const RenderResult& result = *viewer_->Pictures().Live()->Result();
@@ -397,7 +398,7 @@ TEST_F(PanelTest, AcceleratorsAreComparedAndOneIsTaken) {
   Do("resize 800 800\nkey Tab");
   Click("Scene");
   Click("Pixel");
-  Click("Accelerators");
+  Click("Render");
   EXPECT_FALSE(HasItem("octree"));
   Click("compare all");
   EXPECT_TRUE(HasItem("stop") || !viewer_->IsBusy()) << "the window goes on meanwhile";
@@ -432,10 +433,10 @@ TEST_F(PanelTest, MistakesOfAnEditedSceneAreShownWithTheirPlaces) {
 TEST_F(PanelTest, HaveALightThemeAndLargerLetters) {
   Do("resize 512 1024\nkey Tab");
   Click("Scene");
-  Click("Look");
+  Click("View");
   Do("tick 10");  // no message is left
   const auto before = viewer_->Show().panels;
-  Click("light");
+  Click("light theme");
   const auto light = viewer_->Show().panels;
   const auto brightness = [](const PanelDrawing& panels) { return panels.corners.front().color[0]; };
   EXPECT_GT(brightness(*light), brightness(*before));
@@ -448,7 +449,7 @@ TEST_F(PanelTest, HaveALightThemeAndLargerLetters) {
 
 TEST_F(PanelTest, WhatKeysSwitchIsSwitchedInTheDisplayPanelToo) {
   Do("resize 512 1200\nkey Tab");
-  for (const char* open : {"Scene", "Pixel", "Display"}) Click(open);
+  for (const char* open : {"Scene", "Pixel", "View"}) Click(open);
   const auto& overlays = viewer_->state().overlays;
   Click("faces");
   EXPECT_FALSE(overlays.faces);
@@ -465,7 +466,7 @@ TEST_F(PanelTest, WhatKeysSwitchIsSwitchedInTheDisplayPanelToo) {
 
 TEST_F(PanelTest, TheDisplayPanelSetsBoxesCutsAndViewAngle) {
   Do("resize 512 1200\nkey Tab");
-  for (const char* open : {"Scene", "Pixel", "Display"}) Click(open);
+  for (const char* open : {"Scene", "Pixel", "View"}) Click(open);
   const auto& overlays = viewer_->state().overlays;
   Click("boxes of the accelerator");
   EXPECT_EQ(overlays.boxes, SpaceOverlays::Boxes::accelerator);
@@ -541,20 +542,6 @@ TEST_F(PanelTest, TheHelpKeepsClicksFromThePictureBelow) {
   EXPECT_FALSE(viewer_->Picked());
   Do("key Escape\nclick left 256 256");
   EXPECT_TRUE(viewer_->Picked());
-}
-
-TEST_F(PanelTest, TellWhatThePreviewLacksForSpeed) {
-  DrawingDetail sparse, rough;
-  sparse.is_sparse = true;
-  rough.is_smooth = false;
-  EXPECT_FALSE(viewer_->TakeDetail(sparse)) << "no panels tell it";
-  Do("key Tab");
-  EXPECT_TRUE(Says("fewer lights and triangles")) << viewer_->TextOfPanels();
-  EXPECT_TRUE(viewer_->TakeDetail(rough));
-  EXPECT_FALSE(viewer_->TakeDetail(rough));
-  EXPECT_TRUE(Says("edges not smoothed")) << viewer_->TextOfPanels();
-  EXPECT_TRUE(viewer_->TakeDetail({}));
-  EXPECT_FALSE(Says("edges")) << viewer_->TextOfPanels();
 }
 
 TEST_F(PanelTest, TheHelpIsBelowTheStatusBar) {
