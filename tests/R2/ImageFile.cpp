@@ -166,10 +166,10 @@ TEST(ImageFile, ATruncatedFileSaysHowMuchIsThere) {
     return Complaint(bytes);
   };
   EXPECT_EQ(half("png").substr(0, 18), "PNG is truncated: ");
-  EXPECT_NE(half("png").find(" of 512 rows are there"), std::string::npos);
+  EXPECT_NE(half("png").find(" of 512 rows are present"), std::string::npos);
   EXPECT_EQ(half("jpeg").substr(0, 19), "JPEG is truncated: ");
-  EXPECT_NE(half("jpeg").find(" of 512 rows are there"), std::string::npos);
-  EXPECT_EQ(half("ppm"), "PPM is truncated: the image takes 98304 bytes, 49145 are there");
+  EXPECT_NE(half("jpeg").find(" of 512 rows are present"), std::string::npos);
+  EXPECT_EQ(half("ppm"), "PPM is truncated: the image takes 98304 bytes, but only 49145 are left");
 }
 
 // Web pages and cameras name files as they like.

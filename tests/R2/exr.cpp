@@ -166,7 +166,7 @@ TEST(Exr, HeadersThatPromiseTooMuchAreRefused) {
     Bytes bytes = plain;
     SetLittle(bytes, window + 8, most);
     SetLittle(bytes, window + 12, most);
-    EXPECT_EQ(Complaint(bytes).substr(0, 13), "EXR promises ") << Complaint(bytes);
+    EXPECT_EQ(Complaint(bytes).substr(0, 11), "EXR states ") << Complaint(bytes);
   }
   Bytes tall = plain;
   SetLittle(tall, window + 8, 0);
@@ -255,7 +255,7 @@ TEST(Exr, AnImageOfMostlyMarginIsRefusedBeforeAllocating) {
     return bytes;
   };
   for (const std::uint32_t most : {0x7fffffffu, 65534u, 0x80000000u})
-    EXPECT_EQ(Complaint(displayed(most, most)).substr(0, 13), "EXR promises ");
+    EXPECT_EQ(Complaint(displayed(most, most)).substr(0, 11), "EXR states ");
   EXPECT_EQ(Complaint(displayed(16383, 16383)), "EXR has 9 x 3 pixels for an image of 16384 x 16384");
   EXPECT_EQ(Complaint(displayed((1u << 26), 0)), "EXR has 9 x 3 pixels for an image of 67108865 x 1");
   EXPECT_EQ(Complaint(displayed(99, 9)), "");
@@ -331,7 +331,7 @@ TEST(Exr, ABlockWithFewerPixelsThanTheWindowIsRefused) {
 TEST(Exr, AMissingRowIsNotFilledUp) {
   Bytes bytes = Format("exr").encode(Gradient(9, 40), {}, {});
   bytes.resize(bytes.size() - 10);
-  EXPECT_NE(Complaint(bytes).find("32 of 40 rows are there"), std::string::npos) << Complaint(bytes);
+  EXPECT_NE(Complaint(bytes).find("32 of 40 rows are present"), std::string::npos) << Complaint(bytes);
 }
 
 }  // namespace R2

@@ -59,7 +59,7 @@ TEST(Jpeg, GrayAndProgressivePicturesAreRead) {
 TEST(Jpeg, InksAreReadAsAdobeHasThem) {
   for (const J_COLOR_SPACE stored : {JCS_CMYK, JCS_YCCK})
     EXPECT_NEAR(DecodeImage(Flat(9, 4, JCS_CMYK, false, stored)).image.At(4, 4).g, 0.4 * 0.4, 0.005) << stored;
-  EXPECT_EQ(Complaint(Flat(9, 2, JCS_UNKNOWN)), "JPEG has 2 components; 1 (gray), 3 (color) and 4 (CMYK) are read");
+  EXPECT_EQ(Complaint(Flat(9, 2, JCS_UNKNOWN)), "JPEG has 2 components; 1 (gray), 3 (color) and 4 (CMYK) are supported");
 }
 
 /// A block of EXIF with one entry, in the byte order of Intel or of Motorola.
@@ -204,7 +204,7 @@ TEST(Jpeg, AHeaderThatPromisesTooMuchIsRefused) {
   Bytes bytes = Flat(9, 3, JCS_RGB);
   const std::size_t size = Frame(bytes, 0xc0) + 5;
   for (std::size_t i = 0; i < 4; ++i) bytes[size + i] = i % 2 ? 0xdc : 0xff;  // 65,500, the most the library takes
-  EXPECT_EQ(Complaint(bytes), "JPEG promises 65500 x 65500 pixels, more than the limit of 268435456");
+  EXPECT_EQ(Complaint(bytes), "JPEG states 65500 x 65500 pixels, above the limit of 268435456");
   for (std::size_t i = 0; i < 4; ++i) bytes[size + i] = 0xff;
   EXPECT_NE(Complaint(bytes), "");
   for (std::size_t i = 0; i < 4; ++i) bytes[size + i] = i % 2 ? 0 : 0x40;  // 16,384: under the limit, but not there

@@ -139,7 +139,7 @@ TEST(Png, AMissingEndIsToldAndACutChunkRefused) {
   const Bytes whole = Start(1, 2, 8, rgb) + End({0, 255, 0, 0, 0, 0, 0, 255});
   const auto without = [&](std::ptrdiff_t bytes) { return Bytes(whole.begin(), whole.end() - bytes); };
   EXPECT_EQ(DecodeImage(without(12)).warnings,
-            std::vector<std::string>{"PNG has no end chunk (IEND), yet all its rows are there"});
+            std::vector<std::string>{"PNG has no end chunk (IEND), but all its rows are present"});
   EXPECT_EQ(DecodeImage(without(12)).image, DecodeImage(whole).image);
   for (std::ptrdiff_t bytes = 1; bytes < std::ssize(whole) - 8; ++bytes) {
     if (bytes == 12) continue;
@@ -194,7 +194,7 @@ TEST(Png, TextChunksOfEveryKindAreRead) {
 // K3: the first is over the limit of pixels; the others are under it, but no 100 bytes can hold so many.
 TEST(Png, HeadersThatPromiseTooMuchAreRefused) {
   EXPECT_EQ(Complaint(Start(65535, 65535, 8, rgb) + End({0, 1, 2, 3})),
-            "PNG promises 65535 x 65535 pixels, more than the limit of 268435456");
+            "PNG states 65535 x 65535 pixels, above the limit of 268435456");
   EXPECT_NE(Complaint(Start(0x7fffffff, 0x7fffffff, 16, rgb_alpha) + End({0})), "");
   for (const bool interlaced : {false, true}) {
     for (const unsigned char depth : Bytes{1, 8, 16}) {

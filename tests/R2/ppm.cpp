@@ -64,7 +64,7 @@ TEST(Ppm, WhatIsLeftOverIsTold) {
   EXPECT_EQ(warnings("P5 1 1 255\nabc"),
             std::vector<std::string>{"PPM has 2 bytes behind its image, which are ignored"});
   EXPECT_EQ(warnings("P5 1 1 255\naP5 1 1 255\nb"),
-            std::vector<std::string>{"PPM holds further images behind the first, which are ignored"});
+            std::vector<std::string>{"PPM contains further images after the first, which are ignored"});
 }
 
 TEST(Ppm, ValuesAbove255AreTwoBytesTheHighOneFirst) {
