@@ -2,7 +2,8 @@
 #   make            the programs, under build/ (another place: make BUILD=elsewhere)
 #   make test       make check, all tests, and a few pictures of the writeup
 #   make unit T=R3/Csg  one test file, in a program of its own, linked with what is built
-#   make check      who may include whom; that elementary functions are our own; that all who name packages name the same
+#   make check      who may include whom; that elementary functions are our own; that all who name packages name the same;
+#                   the English of comments
 #   make clean      removes build/
 # With more cases, under sanitizers, by other tools (make/checks.mk):
 #   make night      the tests with millions of cases; GTEST=--gtest_filter=... for some of them
@@ -82,6 +83,7 @@ check: $(BUILD)/obj/bench/kernels.o
 	@sh script/check_layers.sh
 	@sh script/check_functions.sh
 	@sh script/check_packages.sh
+	@sh script/check_english.sh
 
 clean:
 	rm -rf $(BUILD)

@@ -8,28 +8,28 @@ namespace {
 
 __extension__ typedef unsigned __int128 Wide;
 
-/// An angle less whole quarters of a turn.
+/// An angle reduced by whole quarter turns.
 struct Reduced {
   std::uint64_t quarters = 0;  // modulo 4
-  DoubleDouble angle;          // |high| <= pi/4, but for rounding
+  DoubleDouble angle;          // |high| <= pi/4, up to rounding
 };
 
-/// 64 bits of 2/pi from the bit of weight 2^-(first + 1) on; bits before the point are 0.
+/// Returns 64 bits of 2/pi, the first of weight 2^-(first + 1); bits before the point are 0.
 std::uint64_t BitsOfTwoOverPi(int first) {
   const auto word = [](int i) { return i < 0 ? 0 : coefficients::two_over_pi[i]; };
   const int i = first >= 0 ? first / 64 : -((63 - first) / 64), shift = first - 64 * i;
   return shift == 0 ? word(i) : word(i) << shift | word(i + 1) >> (64 - shift);
 }
 
-/// Any finite angle but tiny ones, with a relative error under 2^-70. With x = m 2^e, bits of 2/pi above 2^(2 - e) give
-/// whole turns; 192 bits after them leave an error under 2^-137, and no double is nearer than 2^-62 to a multiple of
-/// pi/2.
+/// Reduces any finite angle except tiny ones, with a relative error under 2^-70. With x = m 2^e, bits of 2/pi above
+/// 2^(2 - e) give whole turns; 192 bits after them leave an error under 2^-137, and no double is nearer than 2^-62 to a
+/// multiple of pi/2.
 ///   source   Payne and Hanek (1983); the distance: Muller, Elementary Functions (2016), section 11.2
 Reduced ReduceExactly(double x) {
   int exponent = 0;
   const auto m = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(x), &exponent), 53));
   const int first = exponent - 53 - 2;
-  // The product modulo 2^192, that is four quarters.
+  // The product modulo 2^192, which is four quarter turns.
   const Wide low = Wide{m} * BitsOfTwoOverPi(first + 128);
   const Wide middle = Wide{m} * BitsOfTwoOverPi(first + 64) + (low >> 64);
   const std::uint64_t high = m * BitsOfTwoOverPi(first) + static_cast<std::uint64_t>(middle >> 64);
@@ -55,7 +55,7 @@ Reduced ReduceExactly(double x) {
   return reduced;
 }
 
-/// Any finite angle.
+/// Reduces any finite angle.
 Reduced Reduce(double x) {
   if (std::abs(x) <= coefficients::half_pi.high / 2) return {0, x};
   if (!(std::abs(x) < 0x1p20)) return ReduceExactly(x);
@@ -63,7 +63,7 @@ Reduced Reduce(double x) {
   const double n = quarters.Value();
   const auto& parts = coefficients::half_pi_parts;
   const DoubleDouble rest = ExactSum(x - n * parts[0], -(n * parts[1]));
-  // What is left out is under 2^20 2^-121; where so much cancels that it would count, the long way is taken.
+  // The omitted part is under 2^20 2^-121. If cancellation makes that significant, ReduceExactly takes over.
   if (!(std::abs(rest.high) > 0x1p-20)) return ReduceExactly(x);
   return {quarters.Bits(), QuickSum(rest.high, rest.low - n * parts[2])};
 }
@@ -82,7 +82,7 @@ double Cos(double angle) { return SinCos(angle).cosine; }
 
 double Tan(double angle) {
   if (!std::isfinite(angle)) return angle - angle;
-  if (std::abs(angle) < 0x1p-28) return angle;  // the next term is under a third of 2^-56 of it
+  if (std::abs(angle) < 0x1p-28) return angle;  // the next term is under 2^-56 / 3 of it
   const Reduced reduced = Reduce(angle);
   const auto [high, low] = reduced.angle;
   const DoubleDouble sine = QuickSum(high, SineLessAngle(high, low));

@@ -7,9 +7,9 @@
 namespace R1 {
 namespace {
 
-/// The angle of the point (x, y) from the x axis, y >= 0; the larger of |x| and y is within 2^-400 and 2^400. With n
-/// the smaller of them and d the larger, the nearest b = i/16 to n/d is taken away first: atan(n/d) = atan b + atan((n
-/// - b d) / (d + b n)).
+/// Returns the angle of the point (x, y) from the x axis, y >= 0; the larger of |x| and y is within 2^-400 and 2^400.
+/// With n the smaller of them and d the larger, the nearest b = i/16 to n/d is split off first: atan(n/d) = atan b +
+/// atan((n - b d) / (d + b n)).
 inline double UpperAngle(const DoubleDouble& y, const DoubleDouble& x) {
   const double across = std::abs(x.high), n = std::min(across, y.high), d = std::max(across, y.high);
   const bool is_steep = y.high > across, is_left = std::signbit(x.high);
@@ -17,10 +17,10 @@ inline double UpperAngle(const DoubleDouble& y, const DoubleDouble& x) {
   const double n_low = is_steep ? across_low : y.low, d_low = is_steep ? y.low : across_low;
   const Nearest i(16 * (n / d));
   const double b = i.Value() / 16, d_head = Head(d);
-  // b has 5 bits, so both products are exact, and the first difference as well.
+  // b has 5 bits, so both products and the first difference are exact.
   const double first = n - b * d_head, second = b * (d - d_head), over = first - second, under = d + b * n;
   const double over_low = ((first - over) - second) + (n_low - b * d_low), under_low = (d - under) + b * n + d_low;
-  // over / under = ratio + rest, of which the first has 26 bits.
+  // over / under = ratio + rest, where ratio has 26 bits.
   const double per_under = 1 / under, ratio = Head(over * per_under), under_head = Head(under);
   const double rest =
       (((over - ratio * under_head) - ratio * (under - under_head)) + (over_low - ratio * under_low)) * per_under;
@@ -31,7 +31,7 @@ inline double UpperAngle(const DoubleDouble& y, const DoubleDouble& x) {
   return sum.high + (sum.low + (known.low + sign[octant] * (rest + ArctangentLessRatio(ratio + rest))));
 }
 
-/// sqrt(1 - x^2), |x| <= 1.
+/// Returns sqrt(1 - x^2), |x| <= 1.
 DoubleDouble OtherLeg(double x) {
   const DoubleDouble less = QuickSum(1, -x), more = QuickSum(1, x), product = SplitProduct(less.high, more.high);
   const DoubleDouble square = QuickSum(product.high, product.low + (less.high * more.low + less.low * more.high));
@@ -48,7 +48,7 @@ double Atan2(double y, double x) {
   const double larger = std::max(std::abs(x), std::abs(y));
   if (larger == 0) return std::copysign(std::signbit(x) ? coefficients::pi.high : 0.0, y);
   if (std::abs(y) < 0x1p-60 * x) return y / x;  // the next term is under 2^-120 of it
-  if (std::isinf(larger)) {                     // as if all finite numbers were 0
+  if (std::isinf(larger)) {                     // treats all finite numbers as 0
     x = std::copysign(std::isinf(x) ? 1.0 : 0.0, x);
     y = std::copysign(std::isinf(y) ? 1.0 : 0.0, y);
   } else if (!(larger >= 0x1p-400 && larger <= 0x1p400)) {

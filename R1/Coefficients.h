@@ -4,7 +4,7 @@
 
 // clang-format off
 
-/// The numbers behind R1/Elementary.h. Printed by script/elementary.py, which derives them; not edited.
+/// The coefficients of R1/Elementary.h. Derived and printed by script/elementary.py; do not edit.
 namespace R1::coefficients {
 
 struct TwoParts { double high, low; };
@@ -39,7 +39,7 @@ inline constexpr TwoParts third = {0x1.5555555555555p-2, 0x1.5555555555555p-56};
 inline constexpr TwoParts exp_step = {0x1.62e42fefa0000p-8, 0x1.cf79abc9e3b3ap-47};
 inline constexpr double exp_steps_per_unit = 0x1.71547652b82fep+7;
 
-// The bits of 2/pi after the point, 64 a word
+// The bits of 2/pi after the point, 64 per word
 inline constexpr std::uint64_t two_over_pi[] = {
     0xa2f9836e4e441529, 0xfc2757d1f534ddc0, 0xdb6295993c439041, 0xfe5163abdebbc561, 0xb7246e3a424dd2e0,
     0x06492eea09d1921c, 0xfe1deb1cb129a73e, 0xe88235f52ebb4484, 0xe99c7026b45f7e41, 0x3991d639835339f4,
@@ -99,7 +99,7 @@ inline constexpr TwoParts steep_left[] = {
 inline constexpr const TwoParts* arctangents[] = {flat, steep, flat_left, steep_left};
 
 inline constexpr int log_steps = 128, exp_steps = 128;
-// The bits of the least x whose logarithm is taken with no power of two
+// The bits of the smallest x whose logarithm needs no power of two
 inline constexpr std::uint64_t log_first = 0x3fe6900000000000;
 
 inline constexpr LogEntry logarithms[] = {
@@ -169,7 +169,7 @@ inline constexpr LogEntry logarithms[] = {
     {0x1.6e00000000000p-1, 0x1.57bf753c8d000p-2, 0x1.fadedee5d40efp-46}, {0x1.6c00000000000p-1, 0x1.5d5bddf596000p-2, -0x1.a0b2a08a465dcp-47},
 };
 
-// 2^(i/128), and what its rounding left out, relative to it
+// 2^(i/128), and its rounding error relative to it
 inline constexpr TwoParts powers[] = {
     {0x1.0000000000000p+0, 0x0.0p+0}, {0x1.0163da9fb3335p+0, 0x1.b3b4f1a88bf6ep-54},
     {0x1.02c9a3e778061p+0, -0x1.160139cd8dc5dp-56}, {0x1.04315e86e7f85p+0, -0x1.05e7a108766d1p-54},

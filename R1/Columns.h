@@ -6,8 +6,8 @@
 
 namespace R1 {
 
-/// Up to `most` things of two or three numbers, such as points and colors, each number an array over the things, so
-/// that loops over them become vector instructions. Numbers that have not been set are undefined.
+/// Up to `most` things of two or three numbers, such as points and colors, stored as one array per coordinate so that
+/// loops over them become vector instructions. Numbers that have not been set are undefined.
 template <typename Thing, std::size_t most = batch_size>
 struct Columns {
   static constexpr std::size_t size = sizeof(Thing) / sizeof(double);

@@ -6,11 +6,11 @@
 
 namespace R1 {
 
-/// A number of about 106 bits, kept as the unevaluated sum of two doubles, |low| <= ulp(high)/2.
-/// For sums and products whose cancellation would otherwise eat the answer; not for inner loops.
-/// Source: Dekker, A floating-point technique for extending the available precision (1971);
-/// Joldes, Muller, Popescu, Tight and rigorous error bounds for double-word arithmetic (2017): each
-/// operation below has a relative error under 2^-102, barring overflow and underflow.
+/// A number of about 106 bits, kept as the unevaluated sum of two doubles, |low| <= ulp(high)/2. For sums and products
+/// that would otherwise lose their digits to cancellation; too slow for inner loops.
+/// Source: Dekker, A floating-point technique for extending the available precision (1971); Joldes, Muller, Popescu,
+/// Tight and rigorous error bounds for double-word arithmetic (2017): each operation below has a relative error under
+/// 2^-102, barring overflow and underflow.
 struct DoubleDouble {
   double high = 0, low = 0;
 
@@ -21,32 +21,32 @@ struct DoubleDouble {
   explicit operator double() const { return high + low; }
 };
 
-/// a + b exactly (Knuth's two-sum).
+/// Returns a + b exactly (Knuth's two-sum).
 inline DoubleDouble ExactSum(double a, double b) {
   const double s = a + b;
   const double bb = s - a;
   return {s, (a - (s - bb)) + (b - bb)};
 }
 
-/// a b exactly, barring underflow.
+/// Returns a b exactly, barring underflow.
 inline DoubleDouble ExactProduct(double a, double b) {
   const double p = a * b;
   return {p, std::fma(a, b, -p)};
 }
 
-/// Sum of two doubles of which |a| >= |b| (Dekker's fast two-sum).
+/// Returns the sum of two doubles with |a| >= |b| exactly (Dekker's fast two-sum).
 inline DoubleDouble QuickSum(double a, double b) {
   const double s = a + b;
   return {s, b - (s - a)};
 }
 
-/// The upper 26 bits of x; the other 27 are x - Head(x), exactly. Products of two heads are exact.
+/// Returns the upper 26 bits of x; the other 27 are x - Head(x), exactly. Products of two heads are exact.
 inline double Head(double x) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~std::uint64_t{0x7ffffff});
 }
 
-/// a b with a relative error under 2^-104 and no fused operation, barring underflow: for elementary functions, which
-/// have to be as fast where processors have none.
+/// Returns a b with a relative error under 2^-104 and without fused operations, barring underflow. Elementary functions
+/// use it because they must be equally fast on processors that lack fused operations.
 inline DoubleDouble SplitProduct(double a, double b) {
   const double p = a * b, ah = Head(a), al = a - ah, bh = Head(b), bl = b - bh;
   return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
@@ -73,7 +73,7 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   return QuickSum(q, rest.high / b.high);
 }
 
-/// a / b as exactly as SplitProduct, with no fused operation.
+/// Returns a / b as accurately as SplitProduct, without fused operations.
 inline DoubleDouble SplitQuotient(const DoubleDouble& a, const DoubleDouble& b) {
   const double q = a.high / b.high;
   const DoubleDouble p = SplitProduct(q, b.high);

@@ -9,18 +9,18 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr int mantissa_bits = 52;
 
-/// 2^exponent, -1022 <= exponent <= 1023.
+/// Returns 2^exponent, -1022 <= exponent <= 1023.
 double PowerOfTwo(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << mantissa_bits);
 }
 
-/// What exp(x) is made of: 2^exponent power (1 + large + small).
+/// The factors of exp(x): 2^exponent power (1 + large + small).
 struct Exponential {
   double power, large, small;
   int exponent;
 };
 
-/// exp(high + low), |high| < 800, |low| <= 1.
+/// Returns exp(high + low), |high| < 800, |low| <= 1.
 Exponential ExponentialOf(double high, double low) {
   const Nearest steps(high * coefficients::exp_steps_per_unit);
   const double n = steps.Value();
@@ -31,19 +31,19 @@ Exponential ExponentialOf(double high, double low) {
           static_cast<int>(bits >> 7)};
 }
 
-/// exp(high + low) for all numbers but NaN.
+/// Returns exp(high + low) for all numbers but NaN.
 double ExpOfSum(double high, double low) {
   if (!(high < 710)) return infinite;
-  if (!(high > -746)) return 0;  // the least double is exp(-744.4)
+  if (!(high > -746)) return 0;  // the smallest positive double is exp(-744.4)
   const Exponential e = ExponentialOf(high, low);
   const double mantissa = e.power + e.power * (e.large + e.small);
   if (std::abs(high) < 700) return mantissa * PowerOfTwo(e.exponent);
-  // In two steps, of which the first is exact: 2^1024 and 2^-1074 are no normal numbers.
+  // In two steps, the first of them exact, since 2^1024 and 2^-1074 are not normal numbers.
   const int half = e.exponent / 2;
   return mantissa * PowerOfTwo(half) * PowerOfTwo(e.exponent - half);
 }
 
-/// log x for 0 < x < infinity, with a relative error under 2^-65; low is under 2^-16 high.
+/// Returns log x for 0 < x < infinity, with a relative error under 2^-65; low is under 2^-16 high.
 DoubleDouble LogarithmOf(double x) {
   int shift = 0;
   if (x < std::numeric_limits<double>::min()) x *= 0x1p54, shift = -54;
@@ -57,15 +57,15 @@ DoubleDouble LogarithmOf(double x) {
       std::bit_cast<double>((std::bit_cast<std::uint64_t>(m) + 0x40000000) & ~std::uint64_t{0x7fffffff});
   const double head = m_head * entry.inverse - 1, tail = (m - m_head) * entry.inverse, r = head + tail;
   const double n = exponent + shift;
-  // The first sum is exact, of multiples of 2^-42. Where it is not 0, it is larger than head; and tail, smaller than
-  // all that head leaves.
+  // The first sum is exact, since its terms are multiples of 2^-42. Unless it is 0, it is larger than head, and tail is
+  // smaller than any nonzero result of adding head.
   const DoubleDouble table = QuickSum(n * coefficients::log_2.high + entry.high, head);
   const DoubleDouble squared = QuickSum(table.high, -0.5 * head * head), all = QuickSum(squared.high, tail);
   const double curve = r * r * r * LogarithmCurve(r) - tail * (head + 0.5 * tail);
   return {all.high, curve + ((all.low + squared.low) + (table.low + (entry.low + n * coefficients::log_2.low)))};
 }
 
-/// What the logarithm of a number that is not in (0, infinity) is.
+/// Returns the logarithm of a number outside of (0, infinity).
 double OddLogarithm(double x) {
   if (x == 0) return -infinite;
   return x > 0 ? x : not_a_number;
@@ -74,14 +74,14 @@ double OddLogarithm(double x) {
 bool IsInteger(double y) { return std::nearbyint(y) == y; }
 bool IsOdd(double y) { return IsInteger(y) && std::abs(y) < 0x1p53 && !IsInteger(0.5 * y); }
 
-/// x^y, 0 < x < infinity, y finite.
+/// Returns x^y, 0 < x < infinity, y finite.
 double PowOfPositive(double x, double y) {
   const DoubleDouble logarithm = LogarithmOf(x);
   const double y_head = Head(y), head = Head(logarithm.high);
   return ExpOfSum(y_head * head, (y - y_head) * head + y * ((logarithm.high - head) + logarithm.low));
 }
 
-/// x^y where x is 0 or infinite.
+/// Returns x^y for x = 0 or infinite x.
 double PowOfExtreme(double x, double y) {
   const double size = (x == 0) == (y < 0) ? infinite : 0;
   return IsOdd(y) ? std::copysign(size, x) : size;
@@ -126,7 +126,7 @@ double Log10(double x) {
          (product.low + (logarithm.high * coefficients::log10_e.low + logarithm.low * coefficients::log10_e.high));
 }
 
-// Flattened, since highlights take most of their time here.
+// Flattened, since most of the time for highlights is spent here.
 [[gnu::flatten]] double Pow(double x, double y) {
   if (x > 0 && x < infinite && std::abs(y) < infinite) return PowOfPositive(x, y);
   if (y == 0 || x == 1) return 1;

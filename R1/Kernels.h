@@ -4,11 +4,11 @@
 
 #include "R1/Coefficients.h"
 
-/// What elementary functions are close to zero. T is a double, or a vector of doubles with its operators: the same
+/// Kernels of elementary functions near zero. T is a double, or a vector of doubles with its operators: the same
 /// operations in the same order give the same bits.
 namespace R1 {
 
-/// c[0] + c[1] x + c[2] x^2 + ... by Horner's rule.
+/// Returns c[0] + c[1] x + c[2] x^2 + ... by Horner's rule.
 template <class T, std::size_t count>
 T Polynomial(const double (&c)[count], T x) {
   T sum = T(c[count - 1]);
@@ -16,28 +16,29 @@ T Polynomial(const double (&c)[count], T x) {
   return sum;
 }
 
-/// The sine of high + low, |high| <= pi/4 and |low| <= ulp(high)/2, as the sum of high and what is returned: |returned|
-/// is under .11 |high|, so its own roundings cost little.
+/// Returns sin(high + low) - high, |high| <= pi/4 and |low| <= ulp(high)/2. Its magnitude is under .11 |high|, so its
+/// own rounding errors matter little.
 template <class T>
 T SineLessAngle(T high, T low) {
   const T z = high * high;
   return high * z * Polynomial(coefficients::sine, z) + low * (T(1) - T(0.5) * z);
 }
 
-/// The cosine of high + low, the same.
+/// Returns cos(high + low), |high| <= pi/4 and |low| <= ulp(high)/2.
 template <class T>
 T CosineNearZero(T high, T low) {
   const T z = high * high, half = T(0.5) * z, above = T(1) - half;
   return above + (((T(1) - above) - half) + (z * z * Polynomial(coefficients::cosine, z) - high * low));
 }
 
-/// exp(r) - 1 - r, |r| <= log(2)/256.
+/// Returns exp(r) - 1 - r, |r| <= log(2)/256.
 template <class T>
 T ExponentialCurve(T r) {
   return r * r * Polynomial(coefficients::exponential, r);
 }
 
-/// (log(1 + r) - r + r^2/2) / r^3, |r| < .0041: by Estrin's scheme, since it stands in a long chain of operations.
+/// Returns (log(1 + r) - r + r^2/2) / r^3, |r| < .0041, by Estrin's scheme, since it is part of a long chain of
+/// dependent operations.
 template <class T>
 T LogarithmCurve(T r) {
   const auto& c = coefficients::logarithm;
@@ -46,7 +47,7 @@ T LogarithmCurve(T r) {
   return low + ((T(c[4]) + T(c[5]) * r) + T(c[6]) * square) * (square * square);
 }
 
-/// atan(r) - r, |r| <= 1/31.
+/// Returns atan(r) - r, |r| <= 1/31.
 template <class T>
 T ArctangentLessRatio(T r) {
   const T z = r * r;

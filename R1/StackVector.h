@@ -7,7 +7,7 @@
 
 namespace R1 {
 
-/// A vector of plain values that needs no heap up to `most_inside` of them: for functions that every ray calls.
+/// A vector of plain values that uses no heap for up to `most_inside` of them, for functions called for every ray.
 template <typename T, std::size_t most_inside>
 class StackVector {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -21,7 +21,7 @@ class StackVector {
       Reserve(2 * room_);
     std::construct_at(values_ + size_++, value);
   }
-  /// `count` values, each equal to `value`.
+  /// Sets the contents to `count` copies of `value`.
   void assign(std::size_t count, const T& value) {
     if (count > room_) [[unlikely]]
       Reserve(count);

@@ -25,20 +25,20 @@ inline Color operator/(const Color& c, double s) { return {c.r / s, c.g / s, c.b
 
 inline bool IsBlack(const Color& c) {
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
-  return (bits(c.r) | bits(c.g) | bits(c.b)) << 1 == 0;  // but for signs; without a branch for each
+  return (bits(c.r) | bits(c.g) | bits(c.b)) << 1 == 0;  // ignores signs; avoids a branch per channel
 }
 
 /// The course's luminance weights (specified with the .scn language; they sum to one).
 inline double Luminance(const Color& c) { return 0.30 * c.r + 0.59 * c.g + 0.11 * c.b; }
 
-/// A channel as a screen of 0 to 1 shows it; NaN is 0.
+/// Returns the channel as a screen with the range 0 to 1 shows it; NaN becomes 0.
 inline double Clamped(double channel) { return channel > 0 ? (channel < 1 ? channel : 1) : 0; }
 
 inline Color Clamped(const Color& c) { return {Clamped(c.r), Clamped(c.g), Clamped(c.b)}; }
 
-/// The exact sRGB curve (IEC 61966-2-1) of one channel, linear to encoded; values below 0 stay linear.
+/// Encodes one linear channel with the exact sRGB curve (IEC 61966-2-1); values below 0 stay linear.
 double EncodeSrgb(double linear);
-/// Its inverse.
+/// Decodes one channel, the inverse of EncodeSrgb.
 double DecodeSrgb(double encoded);
 
 Color EncodeSrgb(const Color& linear);

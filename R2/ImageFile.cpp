@@ -11,7 +11,7 @@ namespace R2 {
 
 namespace {
 
-/// ASCII only: what the locale holds for a letter plays no part in what a name means.
+/// Converts ASCII letters only, so that the locale does not affect file formats.
 char LowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 const ImageFormat& FormatOfContent(std::span<const unsigned char> bytes) {

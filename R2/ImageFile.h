@@ -10,37 +10,37 @@
 
 #include "R2/Image.h"
 
-/// Image files. One kind a file in R2/image_files/, one line each in image_formats.def.
+/// Image files. One file per format in R2/image_files/, one line each in image_formats.def.
 namespace R2 {
 
-/// What was wrong with an image file, in words; names no file, the caller knows it.
+/// An error in an image file. The message does not name the file, since the caller knows it.
 struct ImageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Words kept in the picture itself: program, command, seed... Written to JPEG, PNG and EXR.
+/// Text stored in the image file: program, command, seed... Written to JPEG, PNG and EXR.
 using ImageSettings = std::map<std::string, std::string>;
 
-/// How a value in [0, 1] becomes a whole number of 8 or 16 bits: the nearest one to 255 v, or that number's whole part.
+/// The conversion of v in [0, 1] to an integer of 8 or 16 bits: 255 v rounded to nearest, or truncated.
 enum class Quantization { rounded, truncated };
 inline constexpr std::array quantization_names{"rounded", "truncated"};
 constexpr const auto& NamesOf(Quantization) { return quantization_names; }
 
-/// How to write.
+/// Settings for writing an image.
 struct ImageEncoding {
-  bool srgb = false;  // encode with the sRGB curve; otherwise the values are written straight (8 and 16 bit formats)
+  bool srgb = false;  // encode with the sRGB curve; otherwise values are written linearly (8 and 16 bit formats)
   int bits = 8;       // 8 or 16, PNG only
   int jpeg_quality = 95;  // 1..100; chroma is never subsampled
   Quantization quantization = Quantization::rounded;
 };
 
-/// Further channels that a file can hold beside the picture, of the same size: up to three, each with its name.
+/// Up to three additional named channels that a file stores next to the image, of the same size.
 struct ImageLayer {
   std::vector<std::string> channels;
-  Image image;  // the first of its channels are those named
+  Image image;  // its first channels are the named ones
 };
 
-/// Width and height, both at least 1, their product at most max_pixels.
+/// Width and height in pixels, both at least 1, their product at most max_pixels.
 struct ImageSize {
   int width = 0, height = 0;
 };
@@ -55,86 +55,87 @@ struct ImageChannel {
 inline constexpr std::array channel_type_names{"uint", "half", "float"};
 constexpr const auto& NamesOf(ImageChannel::Type) { return channel_type_names; }
 
-/// A rectangle of pixels, as EXR counts them: columns x0 to x1 and rows y0 to y1, both included, y down.
+/// A rectangle of pixels in EXR's convention: columns x0 to x1 and rows y0 to y1, inclusive, y down.
 struct ImageWindow {
   std::int64_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-/// What a file of named channels holds.
+/// The contents of a file with named channels.
 struct ImageChannels {
   std::vector<ImageChannel> channels;  // in the file's order
-  ImageWindow data, display;           // the pixels that are stored, and those that are the image
+  ImageWindow data, display;           // the stored pixels, and those of the visible image
 };
 
 struct ImageFormat;
 
-/// What an image decodes to.
+/// A decoded image.
 struct DecodedImage {
   Image image;
   const ImageFormat* format = nullptr;
   ImageSettings settings{};
-  std::vector<std::string> warnings{};  // what is odd about the file, or left out of it; sentences that name no file
-  bool is_turned = false;               // from how the file stores it, as the file asks
+  std::vector<std::string> warnings{};  // oddities and unsupported parts; sentences that do not name the file
+  bool is_turned = false;               // stored in another orientation, as stated by the file
 };
 
 /// One line of image_formats.def.
 struct ImageFormat {
   const char* name;                                              // "png"
   std::vector<const char*> extensions;                           // lower case, without the dot
-  bool (*recognizes)(std::span<const unsigned char> bytes);      // by content, never by name
+  bool (*recognizes)(std::span<const unsigned char> bytes);      // by content, not by file name
   ImageSize (*read_size)(std::span<const unsigned char> bytes);  // from the header; throws ImageError
-  DecodedImage (*decode)(std::span<const unsigned char> bytes);  // throws ImageError; sets no format
+  DecodedImage (*decode)(std::span<const unsigned char> bytes);  // throws ImageError; leaves `format` unset
   std::vector<unsigned char> (*encode)(const Image& image, const ImageEncoding& encoding,
                                        const ImageSettings& settings);
-  bool is_linear;  // PFM, HDR, EXR hold linear light: never sRGB-decoded, never clamped
-  /// With further channels; null for formats that hold none.
+  bool is_linear;  // PFM, HDR and EXR store linear light: never sRGB-decoded, never clamped
+  /// Encodes the image with additional channels; null for formats that cannot store any.
   std::vector<unsigned char> (*encode_layers)(const Image& image, std::span<const ImageLayer> layers,
                                               const ImageSettings& settings) = nullptr;
-  /// Without decoding a pixel; throws ImageError. Null for formats that hold none.
+  /// Reads the settings without decoding pixels; throws ImageError. Null for formats without settings.
   ImageSettings (*read_settings)(std::span<const unsigned char> bytes) = nullptr;
-  /// The channels by name, without decoding a pixel; throws ImageError. Null for formats whose channels have none.
+  /// Lists the named channels without decoding pixels; throws ImageError. Null for formats without named channels.
   ImageChannels (*read_channels)(std::span<const unsigned char> bytes) = nullptr;
-  /// Up to three channels of those names as the r, g and b of an image; one alone is gray, of two b is 0. Throws
-  /// ImageError, also where the file has none of a name.
+  /// Decodes up to three named channels as r, g and b of an image; one channel gives gray, and with two, b is 0. Throws
+  /// ImageError, also if the file lacks one of the channels.
   DecodedImage (*decode_channels)(std::span<const unsigned char> bytes, std::span<const std::string> names) = nullptr;
 };
 
-/// Every format this build can read and write, in the order of image_formats.def.
+/// Returns all supported formats, in the order of image_formats.def.
 std::span<const ImageFormat> ImageFormats();
 
-/// The format for an output name, by its extension in any letter case; null when there is none.
+/// Returns the format for the extension of an output name, in any letter case, or null.
 const ImageFormat* FormatForName(const std::string& name);
 
-/// Reads an image from the bytes of its file; the kind is decided by content. 8-bit kinds give value/255 (16-bit
-/// value/65535), without any curve. Throws ImageError on anything truncated, malformed or over max_pixels,
-/// before memory for the pixels is asked for.
+/// Decodes the bytes of an image file; the content determines the format. 8-bit formats give value/255 (16-bit
+/// value/65535), without any curve. Throws ImageError on anything truncated, malformed or over max_pixels, before
+/// allocating memory for the pixels.
 DecodedImage DecodeImage(std::span<const unsigned char> bytes);
 
-/// Width and height from the header alone, for a quick check. Throws ImageError.
+/// Reads width and height from the header alone, for a quick check. Throws ImageError.
 ImageSize ReadImageSize(std::span<const unsigned char> bytes);
 
-/// What an image file says of itself.
+/// The header of an image file: size, format and settings.
 struct ImageHeader {
   ImageSize size;
   const ImageFormat* format = nullptr;
   ImageSettings settings;
 };
 
-/// Without decoding a pixel, so that a small file of a large image costs nothing. Throws ImageError.
+/// Reads the header without decoding pixels, so that a small file of a large image costs nothing. Throws ImageError.
 ImageHeader ReadImageHeader(std::span<const unsigned char> bytes);
 
-/// A channel, clamped to [0, 1], as a number from 0 to `most`; NaN, which fails the first comparison, gives 0.
+/// Converts a channel, clamped to [0, 1], to an integer from 0 to `most`; NaN, which fails the first comparison, gives
+/// 0.
 template <class Whole>
 Whole Quantized(double channel, double most, Quantization how) {
   if (!(channel > 0)) return 0;
   return static_cast<Whole>(std::min(channel, 1.0) * most + (how == Quantization::rounded ? 0.5 : 0));
 }
 
-/// 8-bit value of a channel, clamped to [0, 1]; NaN gives 0.
+/// Returns the 8-bit value of a channel, clamped to [0, 1]; NaN gives 0.
 inline unsigned char ToByte(double channel, Quantization how = Quantization::rounded) {
   return Quantized<unsigned char>(channel, 255, how);
 }
-/// 16-bit value of a channel, clamped to [0, 1]; NaN gives 0.
+/// Returns the 16-bit value of a channel, clamped to [0, 1]; NaN gives 0.
 inline unsigned short ToShort(double channel, Quantization how = Quantization::rounded) {
   return Quantized<unsigned short>(channel, 65535, how);
 }

@@ -17,7 +17,7 @@ struct Plane {
   std::vector<float> values;
 };
 
-/// Zero for a plane without pixels.
+/// Returns the mean; zero for a plane without pixels.
 double Mean(const Plane& plane);
 
 }  // namespace R2

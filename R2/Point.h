@@ -2,7 +2,7 @@
 
 namespace R2 {
 
-/// A place in the plane: a texture coordinate, a film position, or a pair of random numbers.
+/// A point in the plane: a texture coordinate, a film position, or a pair of random numbers.
 struct Point {
   double x = 0, y = 0;
 

@@ -6,14 +6,14 @@
 
 namespace R2 {
 
-/// A color for a number from 0 (black) to 1 (white), brighter with the number: its luminance, as the course weighs
-/// channels, is the number within 0.001, so that order survives a gray print and color-blind eyes. Numbers outside,
-/// and NaN, take the nearest end, black for NaN.
+/// Maps a number from 0 (black) to 1 (white) to a color whose brightness increases with the number. Its luminance, with
+/// the course's weights, equals the number within 0.001, so that the order survives grayscale printing and color
+/// blindness. Numbers out of range are clamped; NaN becomes black.
 ///   source  Green, A colour scheme for the display of astronomical intensity images (2011): cubehelix, with start 0.5,
 ///           -1.5 rotations, hue 1, gamma 1
 Color RampColor(double number);
 
-/// A heat picture of numbers from 0 to 1.
+/// Returns a false-color image of numbers from 0 to 1.
 Image RampImage(const Plane& numbers);
 
 }  // namespace R2

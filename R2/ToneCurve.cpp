@@ -8,30 +8,30 @@ namespace R2 {
 
 namespace {
 
-// More light than any screen tells from its limit: beyond it, quotients of infinities would be NaN.
+// More light than any screen can distinguish from its limit. Beyond it, quotients of infinities would be NaN.
 constexpr double blinding = 1e30;
 
-/// NaN passes: both comparisons are false.
+/// Clamps light to [0, blinding]. NaN stays NaN, since both comparisons are false.
 double Bounded(double light) { return light < 0 ? 0 : light > blinding ? blinding : light; }
 
 double Unchanged(double light) { return light; }
 
 /// source: Reinhard, Stark, Shirley, Ferwerda, Photographic Tone Reproduction for Digital Images (2002), eq. 3. Theirs
-/// is of luminance, and leaves channels above 1; ours is of each channel, and desaturates bright light instead.
+/// maps luminance and leaves channels above 1; ours maps each channel and desaturates bright light instead.
 double Reinhard(double light) {
   const double x = Bounded(light);
   return x / (1 + x);
 }
 
 /// source: Narkowicz, ACES Filmic Tone Mapping Curve (2015), knarkowicz.wordpress.com; as published, where light of 1
-/// comes out at 0.80. He says to multiply by 0.6 first to match the brightness of ACES: -exposure -0.74.
+/// maps to 0.80. He recommends multiplying by 0.6 first to match the brightness of ACES: -exposure -0.74.
 double Aces(double light) {
   const double x = Bounded(light);
   return std::min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0);
 }
 
-/// source: Hable, Filmic Tonemapping Operators (2010), filmicworlds.com; his constants, among them the exposure bias
-/// of 2 and the white point of 11.2, after the bias.
+/// source: Hable, Filmic Tonemapping Operators (2010), filmicworlds.com; with his constants, including the exposure
+/// bias of 2 and the white point of 11.2, which applies after the bias.
 double Filmic(double light) {
   const auto curve = [](double x) {
     constexpr double a = 0.15, b = 0.50, c = 0.10, d = 0.20, e = 0.02, f = 0.30;

@@ -4,8 +4,8 @@
 
 #include "R2/Color.h"
 
-/// Curves that fit light of any strength into [0, 1], each channel on its own. The result is still linear light; the
-/// sRGB curve is applied after it.
+/// Curves that map light of any intensity into [0, 1], each channel independently. The result is still linear light;
+/// the sRGB curve is applied afterwards.
 namespace R2 {
 
 struct ToneCurve {
@@ -14,10 +14,10 @@ struct ToneCurve {
   const char* help;             // one line
 };
 
-/// none, reinhard, aces, filmic.
+/// Returns the curves none, reinhard, aces and filmic.
 std::span<const ToneCurve> ToneCurves();
 
-/// Light below 0 is taken for 0 by all curves but `none`.
+/// Applies the curve to each channel. All curves except `none` treat light below 0 as 0.
 Color Apply(const ToneCurve& curve, const Color& light);
 
 }  // namespace R2

@@ -8,9 +8,9 @@
 
 namespace R2 {
 
-/// An allocator of numbers that begin as 0 without being written: the system gives large zeroed memory page by page, to
-/// whichever thread comes first, where a loop over 800 MB would have one thread wait for all of it. Containers that
-/// shrink and grow again find there what they left.
+/// An allocator of numbers that start as 0 without being written. The system supplies large zeroed memory page by page,
+/// to whichever thread touches a page first; a loop over 800 MB would make one thread wait for all of it. Containers
+/// that shrink and grow again find their old values there.
 template <typename T>
 struct ZeroedMemory {
   using value_type = T;
@@ -20,13 +20,13 @@ struct ZeroedMemory {
   ZeroedMemory(const ZeroedMemory<U>&) {}
 
   T* allocate(std::size_t count) {
-    void* memory = std::calloc(count, sizeof(T));  // which refuses products that overflow
+    void* memory = std::calloc(count, sizeof(T));  // rejects products that overflow
     if (!memory) throw std::bad_alloc();
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
 
-  /// What a container makes without a value is there already.
+  /// Leaves default-initialized elements as they are: the memory is zeroed.
   template <typename U>
   void construct(U*) {}
   template <typename U, typename... Arguments>

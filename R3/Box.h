@@ -8,7 +8,7 @@
 
 namespace R3 {
 
-/// An axis-aligned box, closed. A default one is empty and grows from nothing.
+/// An axis-aligned box, closed. The default box is empty, so that it can be extended from nothing.
 struct Box {
   Point low{infinity, infinity, infinity};
   Point high{-infinity, -infinity, -infinity};
@@ -36,7 +36,7 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
-/// A box that holds `box` on all of its way along `way`.
+/// Returns a box that contains `box` all the way along `way`.
 inline Box Along(const Box& box, const Vector& way) {
   if (box.IsEmpty() || way == Vector{}) return box;
   Box all = box;
@@ -56,16 +56,16 @@ inline Box Common(const Box& a, const Box& b) {
           {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
 }
 
-/// A ray made ready for many box tests.
+/// A ray prepared for many box tests.
 struct BoxRay {
   explicit BoxRay(const Ray& ray);
 
   Point origin;
-  Vector inverse;  // 1 / direction; infinite, with its sign, where a component is +-0
+  Vector inverse;  // 1 / direction; infinite, with its sign, for components +-0
   double t_min, t_max;
 };
 
-/// Where the ray enters the box widened by `pad` on every side, or nothing when it certainly misses it.
+/// Returns the t at which the ray enters the box widened by `pad` on every side; std::nullopt if it certainly misses.
 ///   accuracy   never misses a box that the exact ray touches in [t_min, t_max]: the far side is padded by two ulp;
 ///              a ray lying in a face, an edge or a corner touches
 ///   pad        absolute, >= 0, in the box's units

@@ -7,13 +7,13 @@
 
 namespace R3 {
 
-/// The first crossings of a ray with an element, each later than the last.
+/// The first crossings of a ray with an element, in ascending order of t.
 struct Crossings {
   static constexpr std::size_t most = 4;
 
-  std::array<Hit, most> hits;  // of which `count` are set
+  std::array<Hit, most> hits;  // the first `count` are set
   std::size_t count = 0;
-  bool may_have_more = false;  // there may be crossings after these
+  bool may_have_more = false;  // there may be further crossings after these
 
   void Add(const Hit& hit) { hits[count++] = hit; }
 };

@@ -7,15 +7,15 @@
 
 namespace R3 {
 
-/// Which parts of a Csg a place is inside of, as a line goes from crossing to crossing.
+/// The parts of a Csg that contain the current point, as a line proceeds from crossing to crossing.
 class Csg::Insides {
  public:
   explicit Insides(const std::vector<Link>& links) : links_(links) { states_.assign(links.size(), {}); }
 
   bool OfAll() const { return states_[0].is_inside; }
 
-  /// Goes into a solid or out of it, which may change what it is a part of. Crossings that happen at once have one
-  /// `group`, a number above 0.
+  /// Enters or leaves a solid, and updates the parts above it. Simultaneous crossings share one `group`, a number above
+  /// 0.
   void Cross(std::uint32_t part, bool enters, std::uint32_t group) {
     for (;;) {
       State& state = states_[part];
@@ -32,7 +32,7 @@ class Csg::Insides {
     }
   }
 
-  /// Whether the group of crossings changed the part, and all that it is a part of.
+  /// Returns true if the group of crossings changed the part and all parts above it.
   bool HaveChangedUpFrom(std::uint32_t part, std::uint32_t group) const {
     for (;; part = links_[part].parent) {
       const State& state = states_[part];
@@ -44,8 +44,8 @@ class Csg::Insides {
  private:
   struct State {
     std::uint32_t group = 0;       // the last group of crossings that changed it
-    std::int32_t inside = 0;       // how many of its parts the place is inside of
-    bool is_inside_first = false;  // whether of the first of them
+    std::int32_t inside = 0;       // number of its parts that contain the point
+    bool is_inside_first = false;  // whether the first of them does
     bool is_inside = false;
     bool was_inside = false;  // before the group
   };
@@ -69,7 +69,7 @@ class Csg::Insides {
 
 namespace {
 
-/// Along the line of the ray, by where their intervals begin; then the first part first.
+/// Sorts crossings along the line of the ray by the start of their intervals, then by part.
 void Sort(CsgCrossings& crossings) {
   const auto is_before = [](const CsgCrossing& a, const CsgCrossing& b) {
     return a.low != b.low ? a.low < b.low : a.part < b.part;
@@ -84,7 +84,7 @@ void Sort(CsgCrossings& crossings) {
   }
 }
 
-/// The end of the crossings from `first` on that happen at once.
+/// Returns the end of the crossings, starting at `first`, that are simultaneous.
 std::size_t EndOfGroup(const CsgCrossings& crossings, std::size_t first) {
   double high = crossings[first].high;
   std::size_t last = first + 1;
@@ -125,7 +125,8 @@ Csg::Csg(std::vector<CsgPart> parts)
   tree_ = CsgTree(parts_, std::move(boxes), pad.base, pad.share);
 }
 
-/// Tight by operation, from the last part to the whole: what is subtracted takes nothing from the box.
+/// Computes the tight box of each part by its operation, from the last part to the whole. Subtracted parts do not
+/// shrink a box.
 std::vector<Box> Csg::BoxesOfParts() const {
   std::vector<Box> boxes(parts_.size());
   std::vector<char> has_box(parts_.size(), 0);
@@ -156,7 +157,7 @@ std::optional<Hit> Csg::Intersect(const Ray& ray, int) const {
     const bool before = insides.OfAll();
     for (std::size_t i = first; i < last; ++i) insides.Cross(crossings[i].part, crossings[i].enters, group);
     if (insides.OfAll() == before) continue;
-    // Among those that bring about the change, the first part is seen, as with all that coincides.
+    // Of the parts that cause the change, the first is visible, as for all coincident surfaces.
     const CsgCrossing* seen = nullptr;
     for (std::size_t i = first; i < last; ++i)
       if ((!seen || crossings[i].part < seen->part) && insides.HaveChangedUpFrom(crossings[i].part, group))
@@ -169,8 +170,8 @@ std::optional<Hit> Csg::Intersect(const Ray& ray, int) const {
   return {};
 }
 
-// A Hit has no room for that of a solid besides which solid it is. Asking again finds the very same, since the range of
-// t changes no crossing.
+// A Hit of the Csg has no room for the solid's own Hit, only for the number of the solid. A second query finds exactly
+// the same crossing, since the range of t changes none.
 Csg::OfSolid Csg::Again(const Ray& ray, const Hit& hit) const {
   const CsgPart& part = parts_[PartOf(hit)];
   OfSolid again{*part.solid, part.csg_from_solid.Back(ray), {}, static_cast<int>(hit.u)};

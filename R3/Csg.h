@@ -12,23 +12,25 @@ namespace R3 {
 
 /// A solid made of solids (constructive solid geometry).
 ///
-/// Along the line of a ray, each solid is entered and left where asking its Intersect again, with the last t as t_min,
-/// finds crossings. A hit is where the value of the whole expression changes. Every crossing has an interval that its t
-/// is within in spite of rounding, and crossings whose intervals overlap happen at once: faces that coincide but for
-/// rounding leave no film between them, and sheets that are thinner than rounding are not there. This is the
-/// regularized operation of Requicha, Representations for rigid solids (1980), section 3, on the line.
+/// Along the line of a ray, the crossings of each solid are found by repeated calls of its Intersect, with the last t
+/// as t_min. A hit is where the value of the whole expression changes. Every crossing has an interval that contains its
+/// exact t in spite of rounding, and crossings with overlapping intervals are simultaneous: faces that coincide up to
+/// rounding leave no film between them, and sheets thinner than rounding vanish. This is the regularized operation of
+/// Requicha, Representations for rigid solids (1980), section 3, on the line.
 ///
 /// A crossing at t is off the surface by at most
-///     n . (error of the surface + what moving the ray into the solid's frame rounds) + 64 u (|o| + |t| |d|) + slack
-/// along its normal n, all in the solid's frame: 32 u (D + size) is what Intersect promises, and D + size is less than
-/// |o| + |t| |d| twice. Over |n . d|, this is half the interval, but no more than the solid's own extent along the ray:
-/// the crossings of a ray that grazes are no less certain than that.
+///     n . (error of the surface + rounding of moving the ray into the solid's frame) + 64 u (|o| + |t| |d|) + slack
+/// along its normal n, all in the solid's frame: Intersect guarantees 32 u (D + size), and D + size is less than twice
+/// |o| + |t| |d|. Divided by |n . d|, this is half the interval, but no more than the solid's own extent along the ray:
+/// crossings of a grazing ray are no less certain than that.
 ///
-/// The value is found from minus infinity on, so a ray may begin anywhere. Crossings of one solid must alternate
-/// between in and out: see Alternating in Csg.cpp for what happens where rounding at a touch or an edge says otherwise.
+/// The value is computed from minus infinity on, so a ray may start anywhere. Crossings of one solid must alternate
+/// between in and out; see AddAlternating in CsgCrossings.cpp for the case that rounding at a touch or an edge
+/// contradicts this.
 class Csg : public Shape {
  public:
-  /// The first of the parts is the whole; every operation has a part. Solids are bounded and closed.
+  /// Makes a Csg of parts. The first part is the whole; every operation has at least one part. Solids are bounded and
+  /// closed.
   explicit Csg(std::vector<CsgPart> parts);
   Csg(const Csg&) = delete;
 
@@ -43,19 +45,19 @@ class Csg : public Shape {
 
  private:
   class Insides;
-  /// What an Intersect of a solid found again.
+  /// The result of repeating the Intersect of a solid.
   struct OfSolid {
     const Shape& solid;
     Ray ray;
     Hit hit;
     int element;
   };
-  /// The properties of a part that are used while a ray is followed from crossing to crossing.
+  /// The properties of a part that are used while following a ray from crossing to crossing.
   struct Link {
     std::uint32_t parent = 0;
     CsgOperation operation = CsgOperation::unite;
-    bool is_first = false;      // of its parent's parts
-    std::int32_t children = 0;  // how many parts name this one their parent
+    bool is_first = false;      // whether it is the first part of its parent
+    std::int32_t children = 0;  // number of parts whose parent it is
   };
 
   static std::size_t PartOf(const Hit& hit) { return static_cast<std::size_t>(hit.part); }
@@ -64,9 +66,9 @@ class Csg : public Shape {
 
   std::vector<CsgPart> parts_;
   std::vector<Link> links_;            // of the parts
-  std::vector<CsgSolid> solids_;       // those that can be hit
-  std::vector<std::uint32_t> number_;  // of a part's solid in solids_
-  std::vector<char> is_inside_out_;    // whether the part is subtracted an odd number of times
+  std::vector<CsgSolid> solids_;       // the solids that can be hit
+  std::vector<std::uint32_t> number_;  // the index in solids_ of a part's solid
+  std::vector<char> is_inside_out_;    // true if the part is subtracted an odd number of times
   CsgTree tree_;
   Box bounds_;
   bool is_empty_ = false;

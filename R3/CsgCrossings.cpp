@@ -6,14 +6,14 @@
 namespace R3 {
 namespace {
 
-// The most crossings of a ray with one element. Implicit divides too few stretches to find more.
+// The maximum number of crossings of a ray with one element. Implicit divides too few stretches to find more.
 constexpr int most_crossings = 1 << 14;
 
-/// A crossing before it is known how it fits in with the others.
+/// A crossing that has not been matched with the others yet.
 struct Candidate {
   CsgCrossing crossing;
-  double steepness = 0;    // |n . d|: only candidates of one line are compared
-  bool is_unsure = false;  // it may lead in or out: several that happen at once, of which some do either
+  double steepness = 0;    // |n . d|; only compared between candidates of one line
+  bool is_unsure = false;  // may lead in or out: it merges simultaneous crossings of both kinds
 };
 using Candidates = R1::StackVector<Candidate, 8>;
 
@@ -24,14 +24,14 @@ class LineThroughSolid {
       : solid_(solid), line_(solid.is_in_place ? ray : solid.part->csg_from_solid.Back(ray)) {
     const double length = Length(line_.direction), middle = MiddleOf(length);
     extent_ = 2 * solid.radius / length;
-    // A little more than half the extent before the middle; rounding of t is less than the share of the middle.
+    // Starts a little more than half the extent before the middle; rounding of t is less than this share of the middle.
     constexpr double share = 0x1p-20;
     line_.t_min = middle - extent_ - share * std::abs(middle), line_.t_max = infinity;
     line_.departure = nullptr, line_.leaving = line_.reaching = -1;
   }
 
   void Find(const Ray& ray, Candidates& found) {
-    if (!(extent_ < infinity)) return;  // no direction, or no number
+    if (!(extent_ < infinity)) return;  // zero direction or NaN
     if (solid_.has_one_element) return AddCandidates(ray, found, 0);
     const double reach = MaxComponent(Abs(FromOrigin(line_.origin))) + solid_.reach;
     for (const int element : solid_.elements.AlongLine(line_, 64 * unit_roundoff * reach))
@@ -40,15 +40,15 @@ class LineThroughSolid {
   }
 
  private:
-  /// The t nearest to the middle of the box.
+  /// Returns the t nearest to the middle of the box.
   double MiddleOf(double length) const {
     const Vector towards = solid_.center - line_.origin;
     const double square = Dot(line_.direction, line_.direction);
     return IsSafeSquare(square) ? Dot(towards, line_.direction) / square : Dot(towards, Unit(line_.direction)) / length;
   }
 
-  /// What moving the ray into the frame rounds, of its origin and of each step along it, and what the frame itself may
-  /// be off by.
+  /// Computes the rounding error of moving the ray into the frame, for its origin and for each step along it, including
+  /// the error of the frame itself.
   void SetRounding(const Ray& ray) {
     const Matrix& inverse = solid_.part->csg_from_solid.Inverse();
     const Vector shift{std::abs(inverse.m[0][3]), std::abs(inverse.m[1][3]), std::abs(inverse.m[2][3])};
@@ -78,7 +78,7 @@ class LineThroughSolid {
     const Vector off = at.error + origin_rounding_ + t * direction_rounding_;
     const double size = MaxComponent(Abs(FromOrigin(line_.origin))) + t * MaxComponent(Abs(line_.direction));
     const double half = (Dot(Abs(n), off) + 64 * unit_roundoff * size) / std::abs(facing);
-    const double within = half < extent_ ? half : extent_;  // infinite or NaN where the ray lies in the surface
+    const double within = half < extent_ ? half : extent_;  // infinite or NaN if the ray lies in the surface
     return {{.t = hit.t,
              .low = hit.t - within,
              .high = hit.t + within,
@@ -90,13 +90,12 @@ class LineThroughSolid {
 
   const CsgSolid& solid_;
   Ray line_;
-  double extent_ = 0;  // of the solid along the line, in t, or more
+  double extent_ = 0;  // of the solid along the line, in t; an upper bound
   Vector origin_rounding_, direction_rounding_;
 };
 
-/// Candidates that happen at once as one: an edge between two triangles of a mesh that the line meets exactly is in
-/// both of them. Where some lead in and others out, as where the line touches a silhouette, it is not known what they
-/// do.
+/// Merges simultaneous candidates: a line that meets an edge of a mesh exactly hits both of its triangles. If some
+/// candidates lead in and others out, as where the line touches a silhouette, the direction of the result is unsure.
 Candidate Merged(const Candidate* first, const Candidate* last) {
   Candidate merged =
       *std::max_element(first, last, [](const Candidate& a, const Candidate& b) { return a.steepness < b.steepness; });
@@ -119,16 +118,17 @@ void MergeWhereAtOnce(Candidates& found) {
   found.truncate(merged);
 }
 
-/// Appends crossings in and out by turns, beginning with in. Where two in a row lead the same way,
-///   - one in between of which it is not known what it does did the opposite;
-///   - else the steeper of the two counts: the other is a touch, whose sense is that of rounding, or of which the root
-///     is double and found once.
-/// What is never left again was not entered.
+/// Appends crossings that alternate between in and out, starting with in. If two consecutive candidates have the same
+/// direction,
+///   - an unsure candidate between them is taken as the opposite crossing;
+///   - otherwise the steeper one counts: the other is a touch whose direction is due to rounding, or a double root that
+///     was found once.
+/// A final entry without an exit is dropped.
 void AddAlternating(const Candidates& candidates, CsgCrossings& crossings) {
   const std::size_t before = crossings.size();
   const auto is_outside = [&] { return (crossings.size() - before) % 2 == 0; };
-  const Candidate* unsure = nullptr;  // since the last that was kept
-  double steepness = 0;               // of the last that was kept
+  const Candidate* unsure = nullptr;  // the first since the last one kept
+  double steepness = 0;               // of the last one kept
   const auto keep = [&](const Candidate& c) {
     CsgCrossing crossing = c.crossing;
     crossing.enters = is_outside();

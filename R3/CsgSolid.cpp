@@ -24,7 +24,7 @@ CsgSolid::CsgSolid(const CsgPart& of, std::uint32_t n)
       bounds(BoundsOf(of, elements.Bounds())) {}
 
 // A shape's own error is 32 u (D + size), and D is at most twice the largest coordinates. Moving the line into the
-// solid's frame and the box out of it takes six roundings of each number. The sum is less than 256 u of the magnitudes.
+// solid's frame and the box out of it takes six roundings per number. The sum is less than 256 u of the magnitudes.
 CsgSolid::Pad CsgSolid::PadOfCrossings() const {
   const Matrix &out = part->csg_from_solid.Forward(), &in = part->csg_from_solid.Inverse();
   const double stretch = MaxRowSum(out), squeeze = MaxRowSum(in);

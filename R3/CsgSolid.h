@@ -8,9 +8,9 @@
 
 namespace R3 {
 
-/// A solid of a Csg, with what all rays need to know of it.
+/// A solid of a Csg, with the precomputed values that all rays need.
 struct CsgSolid {
-  /// The solid of a part that has one; the part must outlive it.
+  /// Makes the solid of a part that has one; the part must outlive it.
   CsgSolid(const CsgPart& of, std::uint32_t number);
 
   /// A bound on the distance of crossings from the surface, in the csg's frame: base + share * f, where f is the
@@ -25,8 +25,8 @@ struct CsgSolid {
   ElementTree elements;
   bool has_one_element, is_in_place;  // in the csg's frame
   Point center;                       // of the solid's box in its own frame
-  double radius, reach;               // half its diagonal; its largest coordinate
-  Box bounds;                         // in the csg's frame, wherever rounding may have moved the solid
+  double radius, reach;               // half the box's diagonal; its largest coordinate
+  Box bounds;                         // in the csg's frame, including the rounding error of the frame
 };
 
 }  // namespace R3

@@ -6,12 +6,12 @@
 namespace R3 {
 namespace {
 
-/// The most parts of a union that have no box around some of them: it would cost more than it saves.
+/// The largest union whose parts get no additional boxes: they would cost more than they save.
 constexpr std::size_t few_parts = 4;
 
 }  // namespace
 
-/// Makes the steps. There is no recursion, since operations can be nested a hundred thousand deep.
+/// Makes the steps. Not recursive, since operations can be nested a hundred thousand deep.
 class CsgTree::Builder {
  public:
   Builder(const std::vector<CsgPart>& parts, std::vector<Box> boxes) : parts_(parts), boxes_(std::move(boxes)) {
@@ -33,23 +33,23 @@ class CsgTree::Builder {
   }
 
  private:
-  /// A part, or some of the parts of a union, still to become steps; or the end of a step.
+  /// A part, or a range of the parts of a union, that still has to become steps; or the end of a step.
   struct Task {
     std::uint32_t part = none;
-    std::size_t first = 0, last = 0;  // of children_
-    std::uint32_t around = none;      // the step whose box is around it
-    std::uint32_t level = 0;          // how many intersections and differences it is in
+    std::size_t first = 0, last = 0;  // indices into children_
+    std::uint32_t around = none;      // the step with the enclosing box
+    std::uint32_t level = 0;          // number of intersections and differences around it
     std::uint32_t of = none;          // see Step
     std::uint32_t ends = none;
   };
 
-  /// Cuts the box of each part by the boxes of all parts around it.
+  /// Clips the box of each part by the boxes of all parts above it.
   void CutBoxes() {
     for (std::size_t i = 1; i < parts_.size(); ++i)
       boxes_[i] = Common(boxes_[i], boxes_[static_cast<std::size_t>(parts_[i].parent)]);
   }
 
-  /// The parts of each part side by side; only those that are there.
+  /// Lists the nonempty children of each part contiguously.
   void ListChildren() {
     first_child_.assign(parts_.size() + 1, 0);
     const auto for_each = [&](const auto& use) {
@@ -96,7 +96,7 @@ class CsgTree::Builder {
     return hull;
   }
 
-  /// The parts of an intersection or a difference, the first on top of the stack.
+  /// Adds the parts of an intersection or a difference, with the first on top of the stack.
   void AddOperands(Task next, CsgOperation operation) {
     const auto [first, last] = std::pair(next.first, next.last);
     for (std::size_t k = last; k-- > first;) {
@@ -106,7 +106,7 @@ class CsgTree::Builder {
     }
   }
 
-  /// The parts of a union: many of them in two halves, split at the median along the longest side.
+  /// Adds the parts of a union. Many parts are split into two halves at the median along the longest side.
   void AddUnited(Task next) {
     const auto [first, last] = std::pair(next.first, next.last);
     if (last - first <= few_parts) {
@@ -129,8 +129,8 @@ class CsgTree::Builder {
   }
 
   const std::vector<CsgPart>& parts_;
-  std::vector<Box> boxes_;                // where each part matters
-  std::vector<std::size_t> first_child_;  // of each part, in children_; one more at the end
+  std::vector<Box> boxes_;                // the region in which each part matters
+  std::vector<std::size_t> first_child_;  // of each part, an index into children_; with one extra entry at the end
   std::vector<std::uint32_t> children_;
   std::vector<Task> tasks_;
 };

@@ -12,22 +12,22 @@
 
 namespace R3 {
 
-/// Finds the solids of a Csg that matter to a ray, by boxes.
+/// A tree of boxes that finds the solids of a Csg that matter to a ray.
 ///
-/// The box of a part is tight by operation. A place outside of it is outside of the part, whatever is assumed about the
+/// The box of a part is tight by operation. A point outside of it is outside of the part, whatever is assumed about the
 /// solids within: it is outside of all parts of a union, of one part of an intersection, of the first of a difference.
-/// So a solid matters only in places that are in its own box and in the boxes of all parts around it. If the ray has no
-/// such place between t_min and t_max, the solid can be skipped without changing a hit between them. The rest of an
+/// So a solid matters only at points in its own box and in the boxes of all parts above it. If the ray has no such
+/// point between t_min and t_max, the solid can be skipped without changing a hit in that range. The rest of an
 /// intersection can be skipped if one of its parts is never crossed, the rest of a difference if its first is not.
 class CsgTree {
  public:
   CsgTree() = default;
   ///   boxes   one per part, tight by operation; empty if the part is
-  ///   pad     by which boxes are widened, see CsgSolid: base + share * the largest coordinate of a ray's origin
+  ///   pad     the padding of boxes, see CsgSolid: base + share * the largest coordinate of a ray's origin
   CsgTree(const std::vector<CsgPart>& parts, std::vector<Box> boxes, double pad_base, double pad_share);
 
-  /// Calls `add` with the index of each solid that matters to the ray. It appends crossings to `found`, of which those
-  /// that turn out not to matter are dropped again.
+  /// Calls `add` with the index of each solid that may matter to the ray. `add` appends crossings to `found`; crossings
+  /// of solids that turn out not to matter are removed again.
   template <typename Crossings, typename Add>
   void ForEachSolid(const Ray& ray, Crossings& found, const Add& add) const {
     const Slabs slabs(ray, pad_base_ + pad_share_ * MaxComponent(Abs(FromOrigin(ray.origin))));
@@ -58,21 +58,21 @@ class CsgTree {
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
-  /// A box, and whatever the ray goes through that meets it: the steps up to `end`.
+  /// A box, followed by the steps up to `end` that are relevant to rays through the box.
   struct Step {
     std::array<Point, 2> bounds;  // low, high
     std::uint32_t end = 0;
-    std::uint32_t solid = none;      // a solid's part
+    std::uint32_t solid = none;      // the part that is a solid
     std::uint32_t operation = none;  // the level of an intersection or a difference
-    std::uint32_t of = none;         // the step of one, which ends where the part before this one is crossed nowhere
-    bool is_tested = true;           // the box is not that of the step around this one
+    std::uint32_t of = none;         // the enclosing one; it ends if the part before this one is never crossed
+    bool is_tested = true;           // false if the box equals that of the enclosing step
   };
   /// The numbers of crossings found before the first and before the latest part of an operation.
   struct Operation {
     std::size_t before_all = 0, before_last = 0;
   };
 
-  /// A ray made ready for widened boxes.
+  /// A ray prepared for tests with padded boxes.
   class Slabs {
    public:
     Slabs(const Ray& ray, double pad) : t_min_(ray.t_min), t_max_(ray.t_max) {
@@ -85,7 +85,8 @@ class CsgTree {
       }
     }
 
-    /// A product of 0 and infinity is NaN where the ray lies in a plane; the comparisons leave the interval as it was.
+    /// Returns true if the ray meets the box. A product of 0 and infinity is NaN if the ray lies in a plane; the
+    /// comparisons then leave the interval as it was.
     bool Meet(const std::array<Point, 2>& bounds) const {
       double enter = t_min_, leave = t_max_;
       const auto clip = [&](std::size_t axis, double Point::*coordinate) {
@@ -108,7 +109,7 @@ class CsgTree {
   class Builder;
 
   std::vector<Step> steps_;
-  std::uint32_t deepest_ = 0;  // how many intersections and differences are within one another at the most
+  std::uint32_t deepest_ = 0;  // the maximum nesting depth of intersections and differences
   double pad_base_ = 0, pad_share_ = 0;
 };
 

@@ -6,7 +6,7 @@
 namespace R3 {
 namespace {
 
-/// With fewer elements, their boxes are not worth a test each.
+/// The number of elements below which testing their boxes costs more than it saves.
 constexpr std::size_t few_elements = 4;
 
 }  // namespace
@@ -17,7 +17,7 @@ ElementTree::ElementTree(const Shape& shape) : elements_(static_cast<std::size_t
   Build(shape);
 }
 
-// Without recursion, and halved by numbers, so that coincident elements cost no depth.
+// Not recursive, and split by count, so that coincident elements do not increase the depth.
 void ElementTree::Build(const Shape& shape) {
   std::vector<Point> centers;
   for (int i = 0; i < shape.Elements(); ++i) centers.push_back(shape.Bounds(i).Center());

@@ -6,14 +6,14 @@
 
 namespace R3 {
 
-/// Finds the elements of a shape that a line may meet without testing each of them: a tree of boxes, split at the
+/// A tree of boxes that finds the elements of a shape that a line may meet without testing each of them. Split at the
 /// median element along the longest side.
 class ElementTree {
  public:
   explicit ElementTree(const Shape& shape);
 
-  /// The elements whose boxes, widened by `pad`, the line of the ray meets, in no particular order. Nothing for rays
-  /// with infinite numbers.
+  /// Returns the elements whose boxes, widened by `pad`, meet the line of the ray, in no particular order. Empty for
+  /// rays with infinite numbers.
   ///   pad   absolute, >= 0, in the boxes' units
   std::vector<int> AlongLine(const Ray& ray, double pad) const;
 
@@ -22,8 +22,8 @@ class ElementTree {
  private:
   struct Node {
     Box box;
-    std::size_t first = 0, last = 0;  // of elements_, in a node without children
-    std::size_t children = 0;         // the second of two follows the first; 0: none
+    std::size_t first = 0, last = 0;  // indices into elements_, in a leaf
+    std::size_t children = 0;         // the first of two consecutive children; 0 for a leaf
   };
 
   void Build(const Shape& shape);

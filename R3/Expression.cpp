@@ -17,9 +17,9 @@ std::pair<Interval, Interval> SinCos(const Interval& x) { return {Sin(x), Cos(x)
 double Sqrt(double x) { return std::sqrt(x); }
 double Abs(double x) { return std::abs(x); }
 double WholePower(double x, std::uint32_t n) { return R1::WholePower(x, n); }
-double Hull(double a, double) { return a; }  // two numbers can always be told apart
+double Hull(double a, double) { return a; }  // two numbers can always be compared
 
-/// Which is smaller; neither where that is not known.
+/// Returns true if a is certainly smaller; both orders are false if that is not known.
 bool IsBelow(double a, double b) { return a < b; }
 bool IsBelow(const Interval& a, const Interval& b) { return a.high < b.low; }
 bool MayEqual(double, double) { return false; }
@@ -27,7 +27,7 @@ bool MayEqual(const Interval& a, const Interval& b) { return !IsBelow(a, b) && !
 double Smaller(double a, double b) { return std::min(a, b); }
 Interval Smaller(const Interval& a, const Interval& b) { return {std::min(a.low, b.low), std::min(a.high, b.high)}; }
 
-/// What is not defined, or jumps, changes by any amount.
+/// The slope of a function that is undefined or jumps: any value.
 double Undefined(double) { return std::nan(""); }
 Interval Undefined(const Interval&) { return Interval::Whole(); }
 bool IsDefinedRoot(double x) { return x >= 0; }
@@ -84,7 +84,7 @@ Slope<N> WholePower(const Slope<N>& a, std::uint32_t n) {
   return {WholePower(a.value, n), N(n) * below * a.slope};
 }
 
-// Where two may be equal, either may be the one, and so for |a| = max(a, -a): slopes of both are held.
+// If two values may be equal, either may be the result; the slopes of both are possible. Likewise for |a| = max(a, -a).
 template <typename N>
 Slope<N> Min(const Slope<N>& a, const Slope<N>& b) {
   const N value = Smaller(a.value, b.value);

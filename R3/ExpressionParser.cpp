@@ -7,9 +7,9 @@
 namespace R3 {
 namespace {
 
-// More is no formula that somebody has typed, and would cost every ray as much.
+// Nobody types a longer formula, and every ray would have to evaluate it.
 constexpr std::size_t most_steps = 1000;
-constexpr int deepest = 100;  // of brackets and signs: each is a call
+constexpr int deepest = 100;  // of brackets and signs, each of which is a recursive call
 constexpr int largest_exponent = 64;
 
 struct Function {
@@ -100,7 +100,7 @@ int ExpressionParser::Exponent() {
   const auto [end, error] = std::from_chars(text_.data() + start, text_.data() + at_, exponent);
   if (at_ == start || error != std::errc() || end != text_.data() + at_ || exponent > largest_exponent)
     throw ExpressionError(start, std::max<std::size_t>(1, at_ - start), "an exponent must be a whole number up to 64",
-                          "sqrt(x) and exp(2 log(x)) make others");
+                          "use sqrt(x) or exp(2 log(x)) for others");
   return is_negative ? -exponent : exponent;
 }
 
@@ -168,7 +168,7 @@ std::size_t ExpressionParser::Call(std::string_view name, std::size_t start) {
 std::size_t ExpressionParser::Add(Operation operation, std::size_t a, std::size_t b, double number) {
   if (++operations_ > most_steps)
     throw ExpressionError(0, text_.size(), "the formula has more than 1000 operations");
-  // x x is x^2, whose bounds are narrower: it is nowhere below 0.
+  // x x becomes x^2, which has narrower bounds: it is never below 0.
   if (operation == Operation::multiply && a == b) return Known({Operation::power, a, a, 2});
   return Known({operation, a, b, number});
 }

@@ -4,7 +4,7 @@
 
 namespace R3 {
 
-/// Turns the text of an expression into its steps: one function for each level of precedence.
+/// A parser that turns the text of an expression into steps, with one function per level of precedence.
 ///
 ///     sum     = product { (+ | -) product }
 ///     product = factor { [* | /] factor }
@@ -15,7 +15,7 @@ namespace R3 {
 /// A formula that is evaluated once has $name in place of x, y and z.
 class ExpressionParser {
  public:
-  /// `value_of`: null for a formula of x, y and z.
+  /// Parses into `expression`; `value_of` is null for a formula of x, y and z.
   explicit ExpressionParser(Expression& expression, const ValueOfName* value_of = nullptr)
       : expression_(expression), text_(expression.text_), value_of_(value_of) {}
 
@@ -39,10 +39,10 @@ class ExpressionParser {
 
   std::size_t WholePower(std::size_t base, int n);
   std::size_t Add(Operation operation, std::size_t a = 0, std::size_t b = 0, double number = 0);
-  /// The step that comes to the same, a new one unless there is one already.
+  /// Returns the index of an equal step, or adds it.
   std::size_t Known(Expression::Step step);
   void SkipBlanks();
-  /// The next character that is not blank, which stays to be read; 0 at the end of the text.
+  /// Returns the next character that is not blank, without consuming it; 0 at the end of the text.
   char Next();
   bool Takes(char c);
   void Expect(char c);

@@ -13,10 +13,10 @@ struct GridCorner {
   R2::Point uv;
 };
 
-/// Adds `columns` x `rows` squares of two triangles each, whose fronts are seen where columns run to the right and rows
-/// upward. corner(column, row), from 0 up to and including `columns` and `rows`, gives a GridCorner. Triangles with two
-/// corners in one place, as at a sphere's poles, are left out, so a surface of several grids is closed if their rims
-/// agree bit for bit.
+/// Adds `columns` x `rows` squares of two triangles each. Their front is the side from which columns run to the right
+/// and rows upward. corner(column, row), from 0 up to and including `columns` and `rows`, returns a GridCorner.
+/// Triangles with two coincident corners, as at a sphere's poles, are omitted, so a surface of several grids is closed
+/// if their rims are bit-identical.
 template <typename Corner>
 void AddGrid(MeshData& data, int columns, int rows, const Corner& corner) {
   const auto first = static_cast<std::uint32_t>(data.positions.size());

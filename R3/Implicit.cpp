@@ -13,15 +13,15 @@
 namespace R3 {
 namespace {
 
-/// Returns true if bounds on a formula put a whole stretch inside or outside. NaN bounds decide nothing.
+/// Returns true if the bounds of a formula put a whole stretch inside or outside. NaN bounds decide nothing.
 bool Decides(const Interval& value) { return value.low > 0 || value.high <= 0; }
 
-/// Decides which places of a ray are inside: those where the formula is below 0, and those where it is 0 next to
-/// another place inside. If a formula only touches 0, as (f)^2 does, there is no surface, whatever the rounding. Places
-/// where it is undefined are outside.
+/// A test that decides which points of a ray are inside: those where the formula is below 0, and those where it is 0
+/// next to another point inside. If a formula only touches 0, as (f)^2 does, there is no surface, regardless of
+/// rounding. Points where it is undefined are outside.
 class InsideTest {
  public:
-  /// `enter` and `leave`: where the ray meets the box.
+  /// Prepares the test; the ray meets the box at `enter` and `leave`.
   InsideTest(const Expression& formula, const Ray& ray, double enter, double leave)
       : formula_(formula),
         ray_(ray),
@@ -30,9 +30,9 @@ class InsideTest {
         shortest_(64 * unit_roundoff * std::max(std::abs(enter), std::abs(leave))) {}
 
   bool operator()(double t) { return Of(t, ValueAt(t)); }
-  /// Decides for a place whose value is known.
+  /// Decides for a point whose value is known.
   bool Of(double t, double value) { return value < 0 || (value == 0 && IsBesideInside(t)); }
-  /// The distance in t below which rounding makes places indistinguishable.
+  /// Returns the distance in t below which rounding makes points indistinguishable.
   double Shortest() const { return shortest_; }
 
  private:
@@ -59,8 +59,8 @@ class FormulaOnLine {
     waiting_.push_back({low, high, is_inside_(low), is_inside_(high), most_divisions, State::undecided});
   }
 
-  /// The next change between inside and outside after t_min, which grows from one call to the next. Which changes there
-  /// are does not depend on it.
+  /// Returns the next change between inside and outside after t_min, which must increase from one call to the next. The
+  /// set of changes does not depend on t_min.
   std::optional<double> NextChange(double t_min) {
     while (!waiting_.empty()) {
       if (SearchLimit::EndsSearches()) return {};
@@ -84,28 +84,28 @@ class FormulaOnLine {
   struct Stretch {
     double low, high;
     bool begins_inside, ends_inside;
-    int divisions;  // that may still be spent on it
+    int divisions;  // remaining budget for this stretch
     State state;
   };
   static constexpr std::size_t parts = Lanes::count;
 
-  // A ray that lies in the surface would be divided without end. A stretch shares what it has among the parts that need
-  // any, so that what is spent on one place does not depend on what is asked of others. This is enough for five
-  // divisions of everything.
+  // Limits the divisions of a ray, since one that lies in the surface would be divided forever. A stretch shares its
+  // budget among the parts that need it, so that the budget of one place does not depend on queries about others. This
+  // is enough for five divisions of everything.
   static constexpr int most_divisions = 1 + 8 + 64 + 512 + 4096;
 
   void Divide(const Stretch& s) {
-    // In two where parts would be shorter than rounding.
+    // Divides in two if the parts would be shorter than rounding.
     const std::size_t count = s.high - s.low > parts * shortest_ / 2 ? parts : 2;
     const double width = (s.high - s.low) / static_cast<double>(count);
     Lanes ends;
     for (std::size_t i = 0; i < parts; ++i)
       ends.at[i] = i + 1 < count ? s.low + static_cast<double>(i + 1) * width : s.high;
     std::array<bool, parts> is_inside{};
-    AskWhichAreInside(ends, count, is_inside);
+    TestInside(ends, count, is_inside);
     is_inside[count - 1] = s.ends_inside;
     std::array<State, parts> states{};
-    AskForStates(s.low, ends, states);
+    ComputeStates(s.low, ends, states);
     const auto undecided =
         std::count(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(count), State::undecided);
     const int divisions = undecided > 0 ? (s.divisions - 1) / static_cast<int>(undecided) : 0;
@@ -115,7 +115,7 @@ class FormulaOnLine {
                             is_inside[i], divisions, states[i]});
   }
 
-  void AskWhichAreInside(const Lanes& t, std::size_t count, std::array<bool, parts>& is_inside) {
+  void TestInside(const Lanes& t, std::size_t count, std::array<bool, parts>& is_inside) {
     if (count == 2) {
       is_inside[0] = is_inside_(t.at[0]);
       return;
@@ -124,28 +124,28 @@ class FormulaOnLine {
     for (std::size_t i = 0; i < parts; ++i) is_inside[i] = is_inside_.Of(t.at[i], values.at[i]);
   }
 
-  /// What intervals say of the formula from each end to the next, the first beginning at `low`. Around the middle, the
-  /// slope anywhere says how far its value may change, which for short stretches is much less than evaluating the
-  /// formula on all of it.
-  void AskForStates(double low, const Lanes& ends, std::array<State, parts>& states) {
+  /// Computes the interval bounds of the formula from each end to the next, the first starting at `low`. Around the
+  /// middle, the bound of the slope limits the change of the value, which is much narrower on short stretches than
+  /// evaluating the formula on all of it.
+  void ComputeStates(double low, const Lanes& ends, std::array<State, parts>& states) {
     IntervalLanes t;
     for (std::size_t i = 0; i < parts; ++i) t.Set(i, {i > 0 ? ends.at[i - 1] : low, ends.at[i]});
     const IntervalLanes& values = lanes_.In(t);
-    bool are_decided = true;
+    bool all_decided = true;
     for (std::size_t i = 0; i < parts; ++i) {
       states[i] = Decides(values[i]) ? State::unchanged : State::undecided;
-      are_decided &= states[i] != State::undecided;
+      all_decided &= states[i] != State::undecided;
     }
-    if (are_decided) return;  // most stretches are far from the surface
+    if (all_decided) return;  // most stretches are far from the surface
     const IntervalLanes slopes = lanes_.Slopes();
-    are_decided = true;
+    all_decided = true;
     for (std::size_t i = 0; i < parts; ++i) {
       const Interval slope = slopes[i];
       if (states[i] == State::undecided && !slope.Holds(0) && slope.low > -infinity && slope.high < infinity)
         states[i] = State::monotonic;
-      are_decided &= states[i] != State::undecided;
+      all_decided &= states[i] != State::undecided;
     }
-    if (are_decided) return;
+    if (all_decided) return;
     IntervalLanes middles;
     for (std::size_t i = 0; i < parts; ++i) middles.Set(i, t[i].low + (t[i].high - t[i].low) / 2);
     const IntervalLanes& at_middles = lanes_.In(middles);
@@ -154,10 +154,10 @@ class FormulaOnLine {
         states[i] = State::unchanged;
   }
 
-  /// A place where the formula changes, by brackets that eight values at a time make narrower: at first evenly, then
-  /// ever closer to where interpolation expects the root, which needs no slopes and ends in four steps or five. A root
-  /// at 0, where doubles are ever closer to one another, would take hundreds; there the doubles in between are divided,
-  /// of which a ninth is left each time, so that neighbors are found in 21 steps more.
+  /// Finds a point where the formula changes by narrowing brackets with eight values at a time: evenly at first, then
+  /// ever closer to the root expected by interpolation. This needs no slopes and ends after four or five steps. A root
+  /// at 0, where doubles are ever denser, would take hundreds of steps; there the doubles in between are divided, a
+  /// ninth of which remains each time, so that neighboring doubles are found within 21 more steps.
   double ChangeIn(const Stretch& s) {
     constexpr int usual_steps = 64;
     double low = s.low, high = s.high;
@@ -165,7 +165,7 @@ class FormulaOnLine {
     SpreadEvenly(low, high, t);
     for (int step = 0;; ++step) {
       const Lanes& f = lanes_.At(t);
-      std::size_t k = 0;  // the first that is not as the stretch begins
+      std::size_t k = 0;  // the first whose state differs from the start of the stretch
       while (k < parts && is_inside_.Of(t.at[k], f.at[k]) == s.begins_inside) ++k;
       const double width = high - low;
       if (k > 0) low = t.at[k - 1];
@@ -193,8 +193,8 @@ class FormulaOnLine {
   struct Root {
     double t, error;
   };
-  /// Where three places and their values say that a root is, and how sure that is: by inverse interpolation, linear and
-  /// quadratic.
+  /// Estimates a root and its uncertainty from three points and their values, by linear and quadratic inverse
+  /// interpolation.
   ///   source   Brent, Algorithms for Minimization without Derivatives (1973), chapter 4
   static Root Guess(const Lanes& t, const Lanes& f, std::size_t i) {
     const double a = t.at[i], b = t.at[i + 1], c = t.at[i + 2], fa = f.at[i], fb = f.at[i + 1], fc = f.at[i + 2];
@@ -203,7 +203,7 @@ class FormulaOnLine {
     return {linear + correction, std::abs(correction) / 8};
   }
 
-  /// Places on both sides of a root, each farther from it by the same factor.
+  /// Places points on both sides of a root, each farther from it by the same factor.
   ///   returns   false if the root is not between the ends, or is 0 and known too well for factors
   static bool SpreadAround(const Root& root, double low, double high, Lanes& t) {
     if (!(root.t > low && root.t < high)) return false;
@@ -222,10 +222,10 @@ class FormulaOnLine {
   InsideTest& is_inside_;
   FormulaLanes lanes_;
   double shortest_;
-  std::vector<Stretch> waiting_;  // the nearest last
+  std::vector<Stretch> waiting_;  // the nearest one last
 };
 
-/// The direction of a gradient; 0 0 0 if it has none.
+/// Returns the direction of a gradient; 0 0 0 if it has none.
 Vector UnitOrZero(const Vector& gradient) { return IsFinite(gradient) ? Unit(gradient) : Vector{}; }
 
 }  // namespace
@@ -235,7 +235,7 @@ bool Implicit::IsDegenerate() const {
   return !(size.x > 0 && size.y > 0 && size.z > 0);
 }
 
-/// Offers the crossings of a ray in order, until one is not taken.
+/// Passes the crossings of a ray to `take` in order until it declines one.
 template <typename Take>
 void Implicit::OfferCrossings(const Ray& ray, const Take& take) const {
   if (IsDegenerate() || !IsFinite(FromOrigin(ray.origin)) || !IsFinite(ray.direction)) return;
@@ -301,11 +301,11 @@ Vector Implicit::GradientAt(const Point& p) const {
   return {slope_along(1, 0, 0), slope_along(0, 1, 0), slope_along(0, 0, 1)};
 }
 
-/// Ever farther before and behind the surface along the ray, from where coordinates are known to, until there is a
-/// slope: of (f)^3 and of distances as roots of squares it is that of the surface. Where a formula jumps between values
-/// without a slope, the surface is taken to be the plane through three of its places nearby.
+/// Searches ever farther before and behind the surface along the ray, starting at the accuracy of coordinates, until
+/// there is a slope: for (f)^3, and for distances as roots of squares, it is that of the surface. If a formula jumps
+/// between values without a slope, the surface is approximated by the plane through three of its points nearby.
 Vector Implicit::DirectionNear(const Point& p, const Vector& way) const {
-  constexpr double least = 4 * unit_roundoff, most = 0x1p-16;  // of the size of the box and its distance
+  constexpr double least = 4 * unit_roundoff, most = 0x1p-16;  // relative to the size of the box plus its distance
   const double reach = Reach(box_);
   const Vector unit = Unit(way);
   for (double step = least; step <= most; step *= 4)
@@ -326,8 +326,8 @@ Vector Implicit::AcrossJump(const Point& p, const Vector& way, double radius) co
   }
   const Vector rough = outward == Vector{} ? -way : Unit(outward);
   const Tangents across = TangentsOf(rough);
-  // Bisects for the jump on a line along `rough` that passes beside p.
-  const auto place_beside = [&](const Vector& aside) {
+  // Bisects for the jump on a line along `rough` that passes next to p.
+  const auto place_near = [&](const Vector& aside) {
     const Point start = p + radius * aside;
     double low = -2 * radius, high = 2 * radius;  // inside; outside
     for (int i = 0; i < 40; ++i) {
@@ -336,20 +336,20 @@ Vector Implicit::AcrossJump(const Point& p, const Vector& way, double radius) co
     }
     return start + low * rough;
   };
-  const Point a = place_beside(across.first), b = place_beside(across.second), c = place_beside(-across.first);
+  const Point a = place_near(across.first), b = place_near(across.second), c = place_near(-across.first);
   const Vector normal = Unit(Cross(a - b, c - b));
-  if (!(std::abs(Dot(normal, rough)) > 0.5)) return rough;  // it is no plane
+  if (!(std::abs(Dot(normal, rough)) > 0.5)) return rough;  // not a plane
   return Dot(normal, rough) > 0 ? normal : -normal;
 }
 
-/// The formula's value at the rounded place, as far as intervals know it, over its slope there is how far the surface
-/// may be off; a cube as large on all axes holds it.
+/// Makes the intersection. The value at the rounded point, bounded by intervals, divided by the slope there bounds the
+/// distance from the surface; a cube of that size contains the error.
 Intersection Implicit::OnSurface(const Point& p, const Vector& way) const {
   const Vector gradient = GradientAt(p), unit = UnitOrZero(gradient);
   std::vector<Interval> bounds;
   const Interval value = formula_.At(Interval(p.x), Interval(p.y), Interval(p.z), bounds);
   const double off = std::max(std::abs(value.low), std::abs(value.high)) / Length(gradient);
-  // Where the surface has no slope, or jumps, the last bits of the place are all that is known.
+  // If the surface has no slope, or jumps, only the last bits of the point are uncertain.
   const double largest = 0x1p-20 * MaxComponent(box_.Size()), error = off < largest ? off : 0;
   Intersection at;
   at.position = p;

@@ -5,14 +5,14 @@
 namespace R3 {
 namespace {
 
-/// The next double in the direction of `way`; x itself where that is 0.
+/// Returns the next double after x in the direction of `way`; x itself if `way` is 0.
 double NextAlong(double x, double way) { return way < 0 ? NextDown(x) : way > 0 ? NextUp(x) : x; }
 
 }  // namespace
 
 Point SpawnPoint(const Intersection& surface, const Vector& direction) {
   const Vector n = AsVector(surface.normal);
-  const double reach = Dot(Abs(n), surface.error);  // of the corners of the error's box, along the normal
+  const double reach = Dot(Abs(n), surface.error);  // the largest extent of the error box along the normal
   const Vector way = (Dot(n, direction) < 0 ? -reach : reach) * n;
   const Point to = surface.position + way;
   return {NextAlong(to.x, way.x), NextAlong(to.y, way.y), NextAlong(to.z, way.z)};

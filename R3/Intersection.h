@@ -7,32 +7,32 @@
 
 namespace R3 {
 
-/// What a texture shows beyond an end of v, as blending between the middles of its rows asks at the first and the last.
+/// The texture rows beyond an end of v, which interpolation needs at the first and last row.
 enum class VEnd : unsigned char {
-  repeated,  // the other end: v is a circle, or says nothing about where the surface ends
+  repeated,  // the other end: v is periodic, or unrelated to where the surface ends
   rim,       // the last row: the surface ends
-  pole       // the last row, half a turn of u further: all of the row meets in a point, and beyond is its other side
+  pole       // the last row, shifted by half a turn of u: the row is a single point, and beyond it is its other side
 };
-/// At v = 0 and at v = 1. Both are repeated or neither is; then v is within them.
+/// The ends at v = 0 and v = 1. Both are repeated or neither is; if neither, v stays within them.
 struct VEnds {
   VEnd low = VEnd::repeated, high = VEnd::repeated;
 };
 
-/// All that shading needs to know of a point on a surface.
+/// The properties of a surface point that shading needs.
 struct SurfacePoint {
   Point position;
   Normal normal;  // geometric, unit, outward: away from the inside of a solid, by the right-hand rule for a triangle
-  Normal shading_normal;  // what light sees; the geometric one unless a mesh brings smooth normals and the scene asks
+  Normal shading_normal;  // used for lighting; the geometric one unless the scene enables a mesh's smooth normals
   R2::Point uv;
   VEnds v_ends;
 };
 
-/// Where a ray meets a surface; made once per ray, for the nearest hit.
+/// The point where a ray meets a surface; computed once per ray, for the nearest hit.
 struct Intersection : SurfacePoint {
   Vector error;  // bound on the distance of `position` from the true surface, per axis
 };
 
-/// Where a new ray towards `direction` may start: on the side of the surface that it heads for, outside the
+/// Returns a start point for a new ray towards `direction`: on the side of the surface that it heads for, outside the
 /// position's error, then one ulp further on each axis.
 ///   source   Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section 6.8.6
 Point SpawnPoint(const Intersection& surface, const Vector& direction);

@@ -8,7 +8,7 @@
 #include "R1/Elementary.h"
 #include "R3/Numeric.h"
 
-/// Numbers of which only bounds are known. Every bound is rounded outward, so that the truth is never lost.
+/// Bounds of unknown numbers. Every bound is rounded outward, so that the exact value always stays inside.
 ///   source   Moore, Interval Analysis (1966)
 namespace R3 {
 
@@ -16,20 +16,21 @@ struct Interval {
   double low = 0, high = 0;
 
   Interval() = default;
-  Interval(double x) : low(x), high(x) {}  // a number is an interval
+  Interval(double x) : low(x), high(x) {}  // implicit: a number is an interval
   Interval(double l, double h) : low(l), high(h) {}
 
   static Interval Whole() { return {-infinity, infinity}; }
   bool Holds(double x) const { return low <= x && x <= high; }
 };
 
-/// Which of two, without a branch.
+/// Selects one of two intervals without a branch.
 inline Interval Choice(bool is_first, const Interval& a, const Interval& b) {
   return {is_first ? a.low : b.low, is_first ? a.high : b.high};
 }
 
-/// Wider by at least so many last bits at both ends; all numbers where an end is none. A share of 2^-52 is one last bit
-/// or two, and the least normal number is more where that is lost: cheaper than NextUp, since it needs no branch.
+/// Widens an interval by at least `bits` last bits at both ends; returns all numbers if an end is NaN. A share of 2^-52
+/// is one or two last bits, and the smallest normal number covers values that are too small for that. Cheaper than
+/// NextUp, since it needs no branch.
 inline Interval Outward(double low, double high, int bits = 1) {
   constexpr double least = std::numeric_limits<double>::min();
   const double share = bits * 2 * unit_roundoff, ends = bits * least;
@@ -42,8 +43,8 @@ inline Interval Hull(const Interval& a, const Interval& b) {
 }
 
 inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
-/// Returns the interval, cut off at 0 if its truth is known to be 0 or more. Rounding outward would otherwise leave its
-/// square root undefined.
+/// Returns the interval, clipped at 0 if the exact value is known to be 0 or more. Rounding outward would otherwise
+/// make its square root undefined.
 inline Interval NotNegative(bool is_known, const Interval& a) {
   return {is_known ? std::max(a.low, 0.0) : a.low, a.high};
 }
@@ -53,20 +54,20 @@ inline Interval operator+(const Interval& a, const Interval& b) {
 inline Interval operator-(const Interval& a, const Interval& b) { return Outward(a.low - b.high, a.high - b.low); }
 inline Interval operator*(const Interval& a, const Interval& b) {
   const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
-  const bool are_numbers = !std::isnan(p + q + (r + s));  // nor are some infinite
+  const bool all_numbers = !std::isnan(p + q + (r + s));  // also false if some are infinite
   const Interval product = Outward(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
-  return Choice(are_numbers, product, Interval::Whole());
+  return Choice(all_numbers, product, Interval::Whole());
 }
 inline Interval operator/(const Interval& a, const Interval& b) {
   return Choice(b.Holds(0), Interval::Whole(), a * Outward(1 / b.high, 1 / b.low));
 }
 
-// Functions of R1 are off by less than an ulp.
+// R1's functions are off by less than an ulp.
 inline Interval Exp(const Interval& a) {
   const Interval e = Outward(R1::Exp(a.low), R1::Exp(a.high), 2);
   return {std::max(e.low, 0.0), e.high};
 }
-/// Nothing is known where the argument may not be positive.
+/// Returns the whole line if the argument may not be positive.
 inline Interval Log(const Interval& a) {
   return a.low > 0 ? Outward(R1::Log(a.low), R1::Log(a.high), 2) : Interval::Whole();
 }
@@ -80,9 +81,9 @@ inline Interval Abs(const Interval& a) {
   return a.high <= 0 ? -a : Interval{0, std::max(-a.low, a.high)};
 }
 
-/// Whether one of start + k period may lie within.
+/// Returns true if the interval may contain one of start + k period.
 inline bool MayHold(const Interval& a, double start, double period) {
-  // Rounding of these few operations is much less than this share, in periods.
+  // The rounding of these few operations is much less than this share, in periods.
   const double pad = 0x1p-48 * (1 + std::abs(a.low) + std::abs(a.high));
   return std::floor((a.high - start) / period + pad) >= std::ceil((a.low - start) / period - pad);
 }
@@ -103,7 +104,7 @@ inline Interval Sin(const Interval& a) {
           MayHold(a, quarter, turn) ? 1 : std::min(ends.high, 1.0)};
 }
 
-/// a^n for n >= 1. WholePower is off by at most 2 n u.
+/// Returns a^n for n >= 1. R1::WholePower is off by at most 2 n u.
 inline Interval WholePower(const Interval& a, std::uint32_t n) {
   const Interval base = n % 2 == 0 ? Abs(a) : a;
   const auto outward = [&](double power, double sign) {

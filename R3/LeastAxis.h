@@ -4,7 +4,7 @@
 
 namespace R3 {
 
-/// The axis that a vector is least along, of equals the first: a cross product with it is far from 0.
+/// Returns the axis of the smallest component, the first one of equals: a cross product with it is far from 0.
 inline Vector LeastAxis(const Vector& v) {
   const Vector a = Abs(v);
   return a.x <= a.y && a.x <= a.z ? Vector{1, 0, 0} : a.y <= a.z ? Vector{0, 1, 0} : Vector{0, 0, 1};

@@ -6,8 +6,8 @@
 
 namespace R3 {
 
-/// An affine map as a scene states it: rows of a 3 x 4 matrix for column vectors, translation in column 3.
-/// The last row of the full matrix is always 0 0 0 1 and is not kept.
+/// An affine map as stated in a scene: rows of a 3 x 4 matrix for column vectors, with the translation in column 3. The
+/// last row of the full matrix, always 0 0 0 1, is not stored.
 struct Matrix {
   std::array<std::array<double, 4>, 3> m{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
@@ -32,21 +32,23 @@ inline Vector operator*(const Matrix& a, const Vector& v) {
   return {row(0), row(1), row(2)};
 }
 
-/// The transpose of the linear part times `v`: how gradients, and so normals, move by the inverse.
+/// Returns the transpose of the linear part times `v`. With the inverse matrix, this transforms gradients and therefore
+/// normals.
 inline Vector TransposeTimes(const Matrix& a, const Vector& v) {
   const auto column = [&](std::size_t j) { return a.m[0][j] * v.x + a.m[1][j] * v.y + a.m[2][j] * v.z; };
   return {column(0), column(1), column(2)};
 }
 
-/// Largest sum of magnitudes over a row of the linear part: how much the map can stretch a largest component.
+/// Returns the largest row sum of magnitudes of the linear part: a bound on how much the map can stretch a largest
+/// component.
 double MaxRowSum(const Matrix& a);
-/// Largest magnitude in the translation column.
+/// Returns the largest magnitude in the translation column.
 double MaxTranslation(const Matrix& a);
-/// Magnitudes of the linear part times `v`: with v the errors of a point, the errors of its image.
+/// Returns the magnitudes of the linear part times `v`: given the errors of a point, the errors of its image.
 Vector AbsTimes(const Matrix& a, const Vector& v);
 
-/// How far the linear part is from singular: (largest stretch of it) * (largest stretch of its inverse) in the row-sum
-/// norm; infinity when singular or not finite. 1 for a rotation up to a factor 3; 1e6 when an axis is squeezed 1e-6.
+/// Returns the condition of the linear part: (its largest stretch) * (largest stretch of its inverse) in the row-sum
+/// norm; infinity if singular or not finite. 1 for a rotation up to a factor 3; 1e6 if an axis is scaled by 1e-6.
 double Condition(const Matrix& a);
 
 }  // namespace R3

@@ -10,7 +10,7 @@
 namespace R3 {
 namespace {
 
-/// The place of a flat triangle that is the mean of its corners by weights whose sum is 1.
+/// Returns the point of a flat triangle that is the mean of its corners by weights whose sum is 1.
 R3_USES_FMA
 Intersection AtWeights(const std::array<const Point*, 3>& corners, const std::array<double, 3>& weights) {
   Intersection at;
@@ -77,7 +77,7 @@ std::unique_ptr<const Mesh> Mesh::Moved(const Transform& move) const {
     p = move * p;
     if (!IsFinite(FromOrigin(p))) return nullptr;
   }
-  // Not of unit length again: blends of them are then the same whether before or after the move.
+  // Not normalized, so that blends are equal before and after the move.
   for (Normal& normal : moved->data_.normals) normal = AsNormal(TransposeTimes(move.Inverse(), AsVector(normal)));
   for (auto& triangle : moved->data_.triangles) {
     if (move.Mirrors()) std::swap(triangle[1], triangle[2]);
@@ -107,7 +107,7 @@ Intersection Mesh::At(const Ray&, const Hit& hit, int element) const {
     Vector sum;
     for (std::size_t i = 0; i < 3; ++i) sum = sum + weights[i] * AsVector(data_.normals[indices[i]]);
     const Vector blended = Unit(sum);
-    // A blend of opposite or missing normals says nothing: the face's stays.
+    // A blend of opposite or missing normals is undefined; the face's normal stays.
     if (blended != Vector{}) at.shading_normal = AsNormal(blended);
   }
   if (!data_.uvs.empty())
@@ -161,7 +161,7 @@ void Mesh::AppendBlend(const std::array<std::uint32_t, 3>& corners, const std::a
 
 MeshData Mesh::Tessellate(int fineness) const {
   const double shares = fineness / (4 * std::sqrt(std::max(1.0, static_cast<double>(Elements()))));
-  const auto pieces = static_cast<std::uint32_t>(std::max(1.0, shares));  // of each side of a triangle
+  const auto pieces = static_cast<std::uint32_t>(std::max(1.0, shares));  // per side of a triangle
   MeshData cut;
   if (pieces == 1) {
     cut = data_;
@@ -169,7 +169,7 @@ MeshData Mesh::Tessellate(int fineness) const {
     return cut;
   }
   for (const auto& triangle : data_.triangles) {
-    // Row r, from corner 0 to the side opposite, has r + 1 places.
+    // Row r, counted from corner 0 towards the opposite side, has r + 1 points.
     const auto first = static_cast<std::uint32_t>(cut.positions.size());
     const auto at = [&](std::uint32_t row, std::uint32_t i) { return first + row * (row + 1) / 2 + i; };
     for (std::uint32_t row = 0; row <= pieces; ++row)

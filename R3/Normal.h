@@ -4,8 +4,8 @@
 
 namespace R3 {
 
-/// A direction perpendicular to a surface. The inverse transpose transforms it, so that it stays perpendicular;
-/// it has a type of its own, so that no other transform compiles.
+/// A direction perpendicular to a surface. The inverse transpose transforms it, so that it stays perpendicular. It is a
+/// separate type so that no other transform compiles.
 struct Normal {
   double x = 0, y = 0, z = 0;
 

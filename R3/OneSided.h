@@ -4,8 +4,8 @@
 
 namespace R3 {
 
-/// A shape whose surface is there only for rays that arrive at its front, the side its normal is on: others pass as if
-/// there were nothing. So it is no solid, whatever its shape is. Looks into the shape, which must outlive it.
+/// A shape whose surface exists only for rays that arrive at its front, the side of its normal; other rays pass through
+/// it. It is therefore not a solid, whatever the wrapped shape is. Refers to the shape, which must outlive it.
 class OneSided : public Shape {
  public:
   explicit OneSided(const Shape& shape) : shape_(shape) {}

@@ -73,9 +73,9 @@ Matrix operator*(const Matrix& a, const Matrix& b) {
   return Frame(a * Point{b.m[0][3], b.m[1][3], b.m[2][3]}, column(0), column(1), column(2));
 }
 
-// With v = from x to and c = from . to it is I + [v] + [v]^2 / (1 + c): Moller, Hughes, Efficiently building a matrix
-// to rotate one vector to another (1999), eq. 3. Beyond a right angle it is made of two halves, so that 1 + c never is
-// small.
+// With v = from x to and c = from . to, the matrix is I + [v] + [v]^2 / (1 + c): Moller, Hughes, Efficiently building a
+// matrix to rotate one vector to another (1999), eq. 3. Beyond a right angle it is composed of two halves, so that 1 +
+// c is never small.
 Matrix SmallestRotation(const Vector& from, const Vector& to) {
   const double c = Dot(from, to);
   if (c < 0) {

@@ -4,7 +4,7 @@
 
 namespace R3 {
 
-/// A place in space.
+/// A point in space.
 struct Point {
   double x = 0, y = 0, z = 0;
 
@@ -16,10 +16,10 @@ inline Vector operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y
 inline Point operator+(const Point& p, const Vector& v) { return {p.x + v.x, p.y + v.y, p.z + v.z}; }
 inline Point operator-(const Point& p, const Vector& v) { return {p.x - v.x, p.y - v.y, p.z - v.z}; }
 
-/// The displacement from the origin.
+/// Returns the displacement from the origin.
 inline Vector FromOrigin(const Point& p) { return {p.x, p.y, p.z}; }
 
-/// p times 2^exponent, about the origin: exact within the range of doubles.
+/// Returns p times 2^exponent, about the origin: exact within the range of doubles.
 inline Point ScaledByPower(const Point& p, int exponent) {
   const Vector v = ScaledByPower(FromOrigin(p), exponent);
   return {v.x, v.y, v.z};

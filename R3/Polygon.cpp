@@ -9,13 +9,14 @@
 namespace R3 {
 namespace {
 
-/// Ear clipping ends after looking at so many corners for each corner of the polygon, so that reading a file takes
-/// linear time. No polygon of n = 5,000 corners or less needs more than 2.5 n: n to find the first ears, n / 2 on
-/// average for each of the two neighbors of an ear, and at most n / 2 to find the next one. 15 us a corner on an AMD
+/// The maximum number of corners that ear clipping examines per corner of the polygon, so that reading a file takes
+/// linear time. No polygon of n = 5,000 corners or fewer needs more than 2.5 n: n to find the first ears, n / 2 on
+/// average for each of the two neighbors of an ear, and at most n / 2 to find the next one. 15 us per corner on an AMD
 /// EPYC.
 constexpr std::size_t most_looks_a_corner = 12'500;
 
-/// Newell's normal, and whether it is shorter than one of its terms, since the polygon turns about as much either way.
+/// Newell's normal. `cancels` is true if it is shorter than one of its terms, since the polygon turns about equally in
+/// both directions.
 struct Newell {
   Vector normal;
   bool cancels = false;
@@ -33,7 +34,7 @@ Newell NewellOf(std::span<const Point> polygon) {
   return {normal, MaxComponent(Abs(normal)) < largest};
 }
 
-/// The polygon as seen along the axis of its normal's largest component, turning counter-clockwise.
+/// Returns the polygon projected along the axis of its normal's largest component, turning counter-clockwise.
 std::vector<R2::Point> Flattened(std::span<const Point> polygon, const Vector& normal) {
   const int axis = MaxAxis(normal);
   int x = (axis + 1) % 3, y = (axis + 2) % 3;
@@ -44,23 +45,22 @@ std::vector<R2::Point> Flattened(std::span<const Point> polygon, const Vector& n
   return flat;
 }
 
-/// Twice the area of a triangle, positive when it turns counter-clockwise. Where rounding decides the sign, either cut
-/// of the polygon is as good.
+/// Returns twice the area of a triangle, positive if it turns counter-clockwise. If rounding decides the sign, either
+/// cut of the polygon is equally good.
 double Turn(const R2::Point& a, const R2::Point& b, const R2::Point& c) {
   return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
 }
 
 bool IsSamePlace(const R2::Point& a, const R2::Point& b) { return a.x == b.x && a.y == b.y; }
 
-/// Whether the whole polygon is seen from its first corner: no triangle of the fan is turned over.
+/// Returns true if the whole polygon is visible from its first corner: no triangle of the fan is flipped.
 bool FanFits(std::span<const R2::Point> polygon) {
   for (std::size_t i = 2; i < polygon.size(); ++i)
     if (Turn(polygon[0], polygon[i - 1], polygon[i]) < 0) return false;
   return true;
 }
 
-/// Cuts off one corner at a time. Which corners are ears is kept up to date: cutting changes it for the two neighbors
-/// only.
+/// Ear clipping, one corner at a time. The set of ears is kept up to date: a cut changes only the two neighbors.
 class EarClipping {
  public:
   explicit EarClipping(std::span<const R2::Point> polygon) : polygon_(polygon) {
@@ -72,7 +72,7 @@ class EarClipping {
     is_ear_.resize(n, false);
   }
 
-  /// Nothing where it would take too long.
+  /// Returns the cuts; std::nullopt if they would take too long.
   std::optional<Cuts> CutAll() {
     const std::size_t most_looks = most_looks_a_corner * polygon_.size();
     for (std::uint32_t i = 0; i < polygon_.size() && looks_ <= most_looks; ++i) is_ear_[i] = IsEar(i);
@@ -89,7 +89,7 @@ class EarClipping {
   }
 
  private:
-  /// The first ear from here on; the corner itself if none is left.
+  /// Returns the first ear from this corner on; the corner itself if no ear is left.
   std::uint32_t NextEar(std::uint32_t corner, std::size_t left) {
     std::uint32_t ear = corner;
     for (std::size_t i = 0; i < left && !is_ear_[ear]; ++i) ear = after_[ear], ++looks_;
@@ -118,7 +118,7 @@ class EarClipping {
     return true;
   }
 
-  /// Returns true if a point lies in the triangle and not in the place of one of its corners.
+  /// Returns true if a point lies in the triangle and does not coincide with one of its corners.
   static bool IsIn(const R2::Point& p, const R2::Point& a, const R2::Point& b, const R2::Point& c) {
     return Turn(a, b, p) >= 0 && Turn(b, c, p) >= 0 && Turn(c, a, p) >= 0 && !IsSamePlace(p, a) && !IsSamePlace(p, b) &&
            !IsSamePlace(p, c);
@@ -136,14 +136,15 @@ double Extent(std::span<const Point> polygon) {
   return extent;
 }
 
-/// Corners typed by hand, rounded to a digit or two, are off by less: those of scenes/solids.yaml by a third of this.
+/// The tolerance for corners that were typed by hand and rounded to a digit or two: those of scenes/solids.yaml are off
+/// by a third of this.
 constexpr double flatness = 0.05;  // of the polygon's extent
 
-/// Newell's normal, but where the polygon crosses itself and turns about as much either way: then that of its largest
-/// triangle from the first corner.
+/// Returns Newell's normal. If the polygon crosses itself and turns about equally in both directions, returns the
+/// normal of its largest triangle from the first corner.
 Vector NormalOfAny(std::span<const Point> polygon) {
-  // Share of the area of the square around the polygon. Slivers of less take the normal of their largest triangle,
-  // which is theirs as well.
+  // The minimum area as a share of the square around the polygon. Thinner slivers use the normal of their largest
+  // triangle, which is theirs as well.
   constexpr double least = 1e-3;
   Vector normal = NewellOf(polygon).normal;
   const double extent = Extent(polygon);
@@ -156,7 +157,7 @@ Vector NormalOfAny(std::span<const Point> polygon) {
 }
 
 bool IsFlat(std::span<const Point> polygon, const Vector& normal) {
-  if (!(Length(normal) > 0)) return true;  // a line, which is no surface either
+  if (!(Length(normal) > 0)) return true;  // a line, which is not a surface anyway
   const auto distance = [&](const Point& p) { return Dot(p - polygon[0], normal) / Length(normal); };
   double low = 0, high = 0;
   for (const Point& p : polygon) {
@@ -166,25 +167,25 @@ bool IsFlat(std::span<const Point> polygon, const Vector& normal) {
   return high - low <= flatness * Extent(polygon);
 }
 
-/// Whether the sides a-b and c-d cross, by more than `least` of twice an area: sides may touch.
+/// Returns true if the sides a-b and c-d cross by more than `least` of twice an area: sides may touch.
 bool DoCross(const R2::Point& a, const R2::Point& b, const R2::Point& c, const R2::Point& d, double least) {
   const auto on_both_sides = [&](double s, double t) { return std::min(s, t) < -least && std::max(s, t) > least; };
   return on_both_sides(Turn(a, b, c), Turn(a, b, d)) && on_both_sides(Turn(c, d, a), Turn(c, d, b));
 }
 
-/// A place where two sides cross, as each of them passes it.
+/// A point where two sides cross, as seen from each of them.
 struct Meeting {
   SideCrossing on_first, on_second;
 };
 
-/// Finds up to so many places where sides cross. Takes quadratic time, so nothing is found of polygons with more than
-/// max_concave_corners.
+/// Returns up to `most` points where sides cross. Takes quadratic time, so the result is empty for polygons with more
+/// than max_concave_corners.
 std::vector<Meeting> MeetingsOfSides(std::span<const Point> polygon, const Vector& normal, std::size_t most) {
   const std::size_t n = polygon.size();
   std::vector<Meeting> meetings;
   if (n > max_concave_corners) return meetings;
-  // Corners that were rounded to seven digits may turn by such a share of the square around them where they lie on a
-  // line.
+  // The largest turn of three corners on a line that were rounded to seven digits, as a share of the square around the
+  // polygon.
   constexpr double rounding = 1e-6;
   const double extent = Extent(polygon), least = rounding * extent * extent;
   const std::vector<R2::Point> flat = Flattened(polygon, normal);
@@ -200,7 +201,7 @@ std::vector<Meeting> MeetingsOfSides(std::span<const Point> polygon, const Vecto
   return meetings;
 }
 
-/// The way around a polygon past its corners and, twice each, its crossings.
+/// Returns the way around a polygon past its corners and, twice each, its crossings.
 std::vector<std::uint32_t> WayAround(std::size_t corners, std::span<const Meeting> meetings) {
   std::vector<std::vector<std::pair<double, std::uint32_t>>> on_side(corners);
   for (std::uint32_t i = 0; i < meetings.size(); ++i)
@@ -215,9 +216,10 @@ std::vector<std::uint32_t> WayAround(std::size_t corners, std::span<const Meetin
   return way;
 }
 
-/// The parts of a flat polygon that crosses itself, as loops of its corners and crossings; none of any other polygon.
+/// Returns the parts of a flat polygon that crosses itself, as loops of its corners and crossings; empty for any other
+/// polygon.
 std::vector<std::vector<std::uint32_t>> LoopsOf(std::span<const Point> polygon, std::span<const Meeting> meetings) {
-  // Where the way comes to a crossing for the second time it has closed a loop, which is taken off it.
+  // When the way reaches a crossing for the second time, it has closed a loop, which is removed from it.
   std::vector<std::vector<std::uint32_t>> loops;
   std::vector<std::uint32_t> open;
   for (const std::uint32_t place : WayAround(polygon.size(), meetings)) {
@@ -233,11 +235,11 @@ std::vector<std::vector<std::uint32_t>> LoopsOf(std::span<const Point> polygon, 
   return loops;
 }
 
-/// Cuts a polygon that crosses itself; nothing for one that does not, does so too often, or is not flat.
+/// Cuts a polygon that crosses itself; std::nullopt if it does not, does so too often, or is not flat.
 std::optional<CutPolygon> CutWhereSidesCross(std::span<const Point> polygon) {
   const Vector normal = NormalOfAny(polygon);
   if (!IsFlat(polygon, normal)) return {};
-  const std::size_t too_many = polygon.size() + 1;  // so that a mesh takes no more memory than its file promises
+  const std::size_t too_many = polygon.size() + 1;  // limits the memory of a mesh by the size of its file
   const std::vector<Meeting> meetings = MeetingsOfSides(polygon, normal, too_many);
   if (meetings.empty() || meetings.size() == too_many) return {};
   std::vector<Point> places(polygon.begin(), polygon.end());
@@ -285,7 +287,7 @@ std::optional<CutPolygon> CutApart(std::span<const Point> polygon) {
   const Newell newell = NewellOf(polygon);
   const std::vector<R2::Point> flat = Flattened(polygon, newell.normal);
   const bool is_fan = FanFits(flat);
-  // Where the terms cancel, it may be seen edge-on, and a fan tells nothing.
+  // If the terms cancel, the polygon may be seen edge-on, and a fan decides nothing.
   if (!is_fan || newell.cancels)
     if (auto cut = CutWhereSidesCross(polygon)) return cut;
   if (is_fan) return CutPolygon{Fan(polygon.size())};

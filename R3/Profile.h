@@ -2,12 +2,12 @@
 
 namespace R3 {
 
-/// How round a shape is within its bounding box, about y: in coordinates that run from -1 to 1 in the box, nothing of
-/// it lies outside
+/// A rotationally symmetric bound of a shape about y. In coordinates from -1 to 1 within the shape's bounding box, the
+/// shape lies inside
 ///
 ///     x^2 + z^2 + bulge y^2 <= (radius + taper y)^2.
 ///
-/// The default holds all of the box.
+/// The default contains the whole box.
 struct Profile {
   double radius = 2, taper = 0;  // radius >= |taper|
   double bulge = 0;              // 0 or 1

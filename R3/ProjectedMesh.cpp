@@ -9,7 +9,7 @@
 namespace R3 {
 namespace {
 
-/// The axis that a normal is nearest to, 0..2. Of axes that are equally near, y comes before z and z before x; programs
+/// Returns the axis that a normal is nearest to, 0..2. Of equally near axes, y comes before z and z before x. Programs
 /// print six digits, so that a slope of 45 degrees is off by a millionth, which must not decide.
 int NearestAxis(const Vector& n) {
   constexpr double less = 1 - 1e-6;
@@ -18,7 +18,7 @@ int NearestAxis(const Vector& n) {
   return z >= less * x ? 2 : 0;
 }
 
-/// A side of a box: twice the axis, and 1 on the far side.
+/// Returns a side of a box: twice the axis, plus 1 for the far side.
 int SideOf(const Vector& normal) {
   const int axis = NearestAxis(normal);
   return 2 * axis + (std::array{normal.x, normal.y, normal.z}[static_cast<std::size_t>(axis)] > 0 ? 1 : 0);
@@ -33,7 +33,7 @@ Vector AreaOf(const MeshData& data, const std::array<std::uint32_t, 3>& t) {
   return Cross(data.positions[t[1]] - data.positions[t[0]], data.positions[t[2]] - data.positions[t[0]]);
 }
 
-/// The side that each triangle faces; all triangles of a polygon face that of the whole.
+/// Returns the side that each triangle faces; all triangles of a polygon face that of the whole.
 std::vector<int> SidesOf(const MeshData& data) {
   Vector whole;
   for (const auto& t : data.triangles) whole = whole + AreaOf(data, t);
@@ -42,7 +42,7 @@ std::vector<int> SidesOf(const MeshData& data) {
   return sides;
 }
 
-/// Adds what the mesh has at vertex `original` once more.
+/// Adds a copy of vertex `original`.
 std::uint32_t Copied(MeshData& data, std::uint32_t original) {
   const auto copy = static_cast<std::uint32_t>(data.positions.size());
   data.positions.push_back(Point(data.positions[original]));
@@ -59,7 +59,7 @@ std::unique_ptr<const Mesh> Mesh::Projected() const {
   MeshData& data = projected->data_;
   const std::vector<int> sides = SidesOf(data);
   constexpr int none = -1;
-  std::vector<int> first_sides(data.positions.size(), none);  // of each vertex; on others are copies
+  std::vector<int> first_sides(data.positions.size(), none);  // of each vertex; other sides use copies
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> copies;
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::uint32_t& corner : data.triangles[i]) {

@@ -6,13 +6,13 @@
 
 namespace R3 {
 
-/// A deadline and a stop flag that end long searches of this thread while the object is in scope. A search that is cut
-/// off returns a meaningless answer, so callers must discard what was traced once the limit is reached.
+/// A deadline and a stop flag that end long searches of this thread while the object is in scope. A search that is
+/// interrupted returns a meaningless result, so callers must discard the results once the limit is reached.
 class SearchLimit {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `stop` outlives this, and is null for none.
+  /// Sets the limit. `stop` must outlive it, and may be null.
   SearchLimit(const std::atomic<bool>* stop, std::optional<Clock::time_point> deadline)
       : stop_(stop), deadline_(deadline), outer_(innermost) {
     innermost = this;

@@ -11,14 +11,13 @@
 
 namespace R3 {
 
-/// Nearest crossing of a ray with a sphere, strictly between ray.t_min and ray.t_max.
+/// Returns the nearest crossing of a ray with a sphere, strictly between ray.t_min and ray.t_max.
 std::optional<Hit> IntersectSphere(const Ray& ray, const SphereData& sphere);
 
-/// Both crossings.
+/// Returns both crossings.
 Crossings CrossSphere(const Ray& ray, const SphereData& sphere);
 
-/// IntersectSphere strictly between other limits, compiled into its caller: for callers that are themselves compiled
-/// for an instruction set.
+/// IntersectSphere with explicit limits, inlined into callers that are compiled for an instruction set.
 inline std::optional<Hit> IntersectSphereInline(const Ray& ray, const SphereData& sphere, double t_min, double t_max) {
   if (!(sphere.radius > 0)) return {};
   const auto leaves_from = [&](const Point& p) {
@@ -30,7 +29,8 @@ inline std::optional<Hit> IntersectSphereInline(const Ray& ray, const SphereData
   return Span{roots->first, roots->second, 0, 0}.First(t_min, t_max);
 }
 
-/// The place in a unit direction from the center, without branches, so that loops over many become vector instructions.
+/// Returns the point in a unit direction from the center. It has no branches, so that loops over many become vector
+/// instructions.
 ///   accuracy   the direction errs by 4 u, its product with the radius by one more, the sum by one of the result
 inline SurfacePlace PlaceOnSphere(const Point& center, double radius, const Vector& outward) {
   const Point place = center + radius * outward;

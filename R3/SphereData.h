@@ -4,7 +4,7 @@
 
 namespace R3 {
 
-/// A sphere as numbers.
+/// The center and radius of a sphere.
 struct SphereData {
   Point center;
   double radius = 0;

@@ -4,7 +4,7 @@
 
 namespace R3 {
 
-/// A place on a surface, and a bound on its distance from the true one, per axis.
+/// A point on a surface, and a bound on its distance from the exact surface, per axis.
 struct SurfacePlace {
   Point position;
   Vector error;

@@ -7,7 +7,7 @@ namespace {
 
 Vector UnitVector(int axis) { return {axis == 0 ? 1.0 : 0, axis == 1 ? 1.0 : 0, axis == 2 ? 1.0 : 0}; }
 
-/// The next crossing with any element; the ray then starts there.
+/// Returns the next crossing with any element, and moves the start of the ray there.
 std::optional<Intersection> Next(const Shape& shape, Ray& ray) {
   std::optional<Intersection> next;
   Ray nearer = ray;
@@ -20,7 +20,7 @@ std::optional<Intersection> Next(const Shape& shape, Ray& ray) {
   return next;
 }
 
-/// The crossing nearest to `p` on the line from p + reach to p - reach, of those that face to where it starts.
+/// Returns the crossing nearest to `p` on the line from p + reach to p - reach, among those that face its start.
 std::optional<Intersection> NearestFacing(const Shape& shape, const Point& p, const Vector& reach) {
   Ray ray{p + reach, -reach, 0, 2};
   std::optional<Intersection> nearest;
@@ -30,13 +30,13 @@ std::optional<Intersection> NearestFacing(const Shape& shape, const Point& p, co
   return nearest;
 }
 
-/// Adds a triangle with the normals and texture coordinates that the surface has beside its corners, which at an edge
-/// or a seam are not those at the corner. Coordinates that wrap around run on beyond 0 and 1.
+/// Adds a triangle with the normals and texture coordinates of the surface slightly inside its corners, which differ
+/// from those at the corner if that is on an edge or a seam. Periodic coordinates continue beyond 0 and 1.
 void AddTriangle(MeshData& data, const Shape& shape, const std::array<Point, 3>& corners, double reach) {
   const Vector front = Unit(Cross(corners[1] - corners[0], corners[2] - corners[0]));
   if (front == Vector{}) return;
   const auto beneath = [&](const Point& p, const Intersection& otherwise) {
-    constexpr double least_cosine = 0.5;  // what is turned further away lies beyond an edge
+    constexpr double least_cosine = 0.5;  // surfaces turned further away lie beyond an edge
     const auto at = NearestFacing(shape, p, reach * front);
     return at && Dot(at->normal, front) > least_cosine ? *at : otherwise;
   };
@@ -44,21 +44,21 @@ void AddTriangle(MeshData& data, const Shape& shape, const std::array<Point, 3>&
   Intersection flat = NearestFacing(shape, middle, reach * front).value_or(Intersection{});
   flat.shading_normal = AsNormal(front);
   const Intersection whole = beneath(middle, flat);
-  // A corner may lie on an edge between two faces, so the normal is asked for a millionth of the way inside: far more
-  // than rounding, far less than is seen.
-  constexpr double beside = 1e-6;
+  // A corner may lie on an edge between two faces, so the normal is taken a millionth of the way inside: far more than
+  // rounding, far less than is visible.
+  constexpr double inward = 1e-6;
   const auto first = static_cast<std::uint32_t>(data.positions.size());
   data.triangles.push_back({first, first + 1, first + 2});
   for (const Point& corner : corners) {
-    const Intersection at = beneath(corner + beside * (middle - corner), whole);
+    const Intersection at = beneath(corner + inward * (middle - corner), whole);
     data.positions.push_back(corner);
     data.normals.push_back(at.shading_normal);
     data.uvs.push_back({at.uv.x - std::round(at.uv.x - whole.uv.x), at.uv.y - std::round(at.uv.y - whole.uv.y)});
   }
 }
 
-/// Cells of about one size around a shape. Off its middle, so that the symmetries of shapes are none of the grid and no
-/// ray along an edge of it lies in a face or touches a turn.
+/// A grid of nearly cubic cells around a shape. It is off center, so that it shares no symmetry of the shape and no ray
+/// along its edges lies in a face or touches a turn.
 class Grid {
  public:
   using Index = std::array<int, 3>;
@@ -70,13 +70,13 @@ class Grid {
       const double cells = std::max(least, std::ceil(size / cell));
       cells_[static_cast<std::size_t>(axis)] = static_cast<int>(cells) + 1;
       cell_[static_cast<std::size_t>(axis)] = size / cells;
-      constexpr double before = 0.37;  // of the one cell that is too many
+      constexpr double before = 0.37;  // share of the extra cell that precedes the shape
       low_ = low_ - before * Edge(axis);
     }
   }
 
   int Cells(int axis) const { return cells_[static_cast<std::size_t>(axis)]; }
-  /// From a node to the next along an axis.
+  /// Returns the vector from a node to the next along an axis.
   Vector Edge(int axis) const { return cell_[static_cast<std::size_t>(axis)] * UnitVector(axis); }
   double Diagonal() const { return Length(Edge(0) + Edge(1) + Edge(2)); }
   Point Node(const Index& i) const { return low_ + (i[0] * Edge(0) + i[1] * Edge(1) + i[2] * Edge(2)); }
@@ -123,7 +123,7 @@ class SurfaceNet {
  private:
   bool IsInside(const Grid::Index& i) const { return is_inside_[grid_.Number(i)]; }
 
-  /// Nodes on the line from `start` along x that lie between a way in and a way out.
+  /// Marks the nodes on the line from `start` along x that lie between an entry and an exit.
   void MarkInside(const Grid::Index& start) {
     Ray ray{grid_.Node(start), grid_.Edge(0), 0, static_cast<double>(grid_.Cells(0))};
     std::optional<double> entered;
@@ -136,7 +136,7 @@ class SurfaceNet {
     }
   }
 
-  /// Where the surface is, about in the middle of what of it passes through a cell.
+  /// Returns a point of the surface near the middle of its part in a cell.
   Point CornerIn(const Grid::Index& cell) const {
     std::vector<Intersection> crossings;
     Vector middle, normal;
@@ -159,7 +159,7 @@ class SurfaceNet {
     return at ? at->position : crossings[0].position;
   }
 
-  /// Two triangles between the four cells around an edge of the grid that the surface crosses.
+  /// Adds two triangles between the four cells around an edge of the grid that the surface crosses.
   void AddAcross(MeshData& data, const Grid::Index& start, int axis) const {
     const bool leaves = IsInside(start);
     if (leaves == IsInside(Moved(start, axis, 1))) return;
@@ -173,11 +173,12 @@ class SurfaceNet {
 
   const Shape& shape_;
   Grid grid_;
-  std::vector<bool> is_inside_;  // of nodes
-  std::vector<Point> corners_;   // of cells, by their lowest node
+  std::vector<bool> is_inside_;  // of each node
+  std::vector<Point> corners_;   // of each cell, by its lowest node
 };
 
-/// What eyes far away on both sides along an axis see of a sheet, cut at its rim; the second adds what it alone sees.
+/// The views of a sheet from far away on both sides along an axis, clipped at its rim; the second view adds only what
+/// the first does not see.
 class SideViews {
  public:
   SideViews(const Shape& shape, double cell, int axis)
@@ -193,7 +194,7 @@ class SideViews {
       for (int r = 0; r < grid_.Cells(right_); ++r) {
         const auto front = Outline(r, u, 1), back = Outline(r, u, -1);
         AddPolygon(data, front, 1);
-        constexpr double same = 1e-9;  // of the size: a million times rounding, a millionth of a pixel of 1000
+        constexpr double same = 1e-9;  // relative to the size: a million times rounding, a millionth of a pixel of 1000
         if (!std::equal(front.begin(), front.end(), back.begin(), back.end(),
                         [&](const Point& a, const Point& b) { return Length(a - b) <= same * size_; }))
           AddPolygon(data, {back.rbegin(), back.rend()}, -1);
@@ -201,7 +202,7 @@ class SideViews {
   }
 
  private:
-  /// The first hit on the line through a place that counts cells.
+  /// Returns the first hit on the line through a point given in cells.
   std::optional<Point> Seen(const R2::Point& place, double side) const {
     const Point p = grid_.Node({0, 0, 0}) + (place.x * grid_.Edge(right_) + place.y * grid_.Edge(up_));
     Ray ray{p + 4 * side * to_eye_, -side * to_eye_};
@@ -209,7 +210,7 @@ class SideViews {
     return at ? std::optional(at->position) : std::nullopt;
   }
 
-  /// The last place seen on the way from one that is to one that is not.
+  /// Returns the last visible point on the way from a visible one to one that is not.
   Point Rim(R2::Point seen, R2::Point unseen, double side) const {
     constexpr int halvings = 40;
     for (int i = 0; i < halvings; ++i) {
@@ -219,7 +220,7 @@ class SideViews {
     return *Seen(seen, side);
   }
 
-  /// What is seen of a cell, counterclockwise for the eye at the side +1.
+  /// Returns the visible outline within a cell, counterclockwise for the eye at the side +1.
   std::vector<Point> Outline(int r, int u, double side) const {
     const auto place = [&](int i) {
       return R2::Point{r + static_cast<double>(i % 4 == 1 || i % 4 == 2), u + static_cast<double>(i % 4 >= 2)};
@@ -234,9 +235,10 @@ class SideViews {
     return outline;
   }
 
-  /// Leaves out what is steep, which another axis sees better, and with it what joins a sheet to one behind it.
+  /// Adds a polygon unless it is steep. Another axis sees steep parts better, including those that connect a sheet to
+  /// one behind it.
   void AddPolygon(MeshData& data, const std::vector<Point>& corners, double side) const {
-    constexpr double steep = 0.5;  // below 1 / sqrt 3, so that every part is seen well by some eye
+    constexpr double steep = 0.5;  // below 1 / sqrt 3, so that some eye sees every part well
     for (std::size_t i = 2; i < corners.size(); ++i) {
       const Point &a = corners[0], &b = corners[i - 1], &c = corners[i];
       const Vector front = Unit(Cross(b - a, c - a));
@@ -256,8 +258,8 @@ class SideViews {
 }  // namespace
 
 MeshData TessellateByRays(const Shape& shape, int triangles) {
-  // A closed surface that fills its box takes ten to thirteen triangles for three cells of the box's sides, a sheet
-  // that is seen by all eyes not more.
+  // A closed surface that fills its box takes ten to thirteen triangles per three cells of the box's sides; a sheet
+  // that all eyes see takes no more.
   const Vector size = Bounds(shape).Size();
   const double cell = std::sqrt(4.4 * (size.x * size.y + size.y * size.z + size.z * size.x) / triangles);
   if (shape.IsSolid()) return SurfaceNet(shape, cell).Build();

@@ -62,7 +62,8 @@ std::optional<Transform> Transform::Of(const Product& product) {
     for (std::size_t j = 0; j < 3; ++j) largest = std::max(largest, std::abs(row[j]));
   if (!(largest > 0)) return {};
 
-  // A power of two brings the largest entry near 1, so that the cubic terms of the determinant stay in range.
+  // Scaling by a power of two brings the largest entry near 1, so that the cubic terms of the determinant stay in
+  // range.
   const int exponent = -std::ilogb(largest);
   const LinearPart a = ScaledLinearPart(product.m_, exponent);
   const DoubleDouble determinant =
@@ -70,7 +71,7 @@ std::optional<Transform> Transform::Of(const Product& product) {
   if (!(determinant.high != 0)) return {};
   result.mirrors_ = determinant.high < 0;
 
-  // inverse = adjugate / determinant (Cramer's rule), in double-words, so that the condition costs only spare bits.
+  // inverse = adjugate / determinant (Cramer's rule) in double-words, so that a bad condition costs only spare bits.
   Rows inverse;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
@@ -91,9 +92,9 @@ Intersection Transform::operator*(const Intersection& at) const {
   };
   Intersection moved = at;
   moved.position = forward_ * at.position;
-  // Rounding on the way out: entries, products and sums of forward * position ...
+  // Rounding of the forward map: entries, products and sums of forward * position ...
   const Vector out = AbsTimes(forward_, local) + shift(forward_);
-  // ... and on the way back, inverse * position, brought to the size it has here.
+  // ... and of the inverse map, inverse * position, scaled to the size after the map.
   const Vector back = AbsTimes(inverse_, Abs(FromOrigin(moved.position))) + shift(inverse_);
   moved.error = AbsTimes(forward_, at.error + Gamma(6) * back) + Gamma(6) * out;
   moved.normal = *this * at.normal;

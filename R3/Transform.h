@@ -12,7 +12,7 @@
 
 namespace R3 {
 
-/// The product of a chain of matrices, kept in double-words so that 100,000 links lose nothing a double could show.
+/// The product of a chain of matrices, kept in double-words so that 100,000 links lose nothing visible in doubles.
 class Product {
  public:
   Product();  // the identity
@@ -23,35 +23,36 @@ class Product {
   std::array<std::array<DoubleDouble, 4>, 3> m_;
 };
 
-/// An affine map and its inverse together; a name says where it goes (`world_from_node`).
-///   accuracy   every entry of both is within 1 ulp of the truth for the exact product of the given matrices, up
+/// An affine map together with its inverse; names state where it maps to (`world_from_node`).
+///   accuracy   every entry of both is within 1 ulp of the exact value for the product of the given matrices, up
 ///              to a condition of 1e15 (tests/extremes/transforms.cpp)
 class Transform {
  public:
   Transform() = default;  // the identity
 
-  /// Nothing when the linear part is singular, or the map or its inverse does not fit into doubles.
+  /// Makes a transform; std::nullopt if the linear part is singular, or the map or its inverse does not fit into
+  /// doubles.
   static std::optional<Transform> Of(const Product& product);
   static std::optional<Transform> Of(const Matrix& matrix) { return Of(Product() * matrix); }
 
   const Matrix& Forward() const { return forward_; }
   const Matrix& Inverse() const { return inverse_; }
   bool IsIdentity() const { return R3::IsIdentity(forward_); }
-  /// Whether the map turns right hands into left hands.
+  /// Returns true if the map mirrors, that is, turns right hands into left hands.
   bool Mirrors() const { return mirrors_; }
 
   Point operator*(const Point& p) const { return forward_ * p; }
   Vector operator*(const Vector& v) const { return forward_ * v; }
-  /// By the inverse transpose; of unit length. The outward side stays outward under mirroring: the inverse
-  /// transpose carries the gradient of the surface along, and a gradient points outward whichever hand is used.
+  /// Transforms a normal by the inverse transpose, to unit length. The outward side stays outward under mirroring: the
+  /// inverse transpose maps the gradient of the surface, and a gradient points outward in either handedness.
   Normal operator*(const Normal& n) const;
-  /// The error also covers the rounding of seeing the place from before the map again, so that a ray that starts
-  /// outside it starts outside the surface.
+  /// Transforms an intersection. The error also covers the rounding of mapping the point back, so that a ray that
+  /// starts outside of it starts outside the surface.
   Intersection operator*(const Intersection& at) const;
-  /// The box around the eight corners' images.
+  /// Returns the box around the images of the eight corners.
   Box operator*(const Box& b) const;
 
-  /// The ray as seen from before the map: same t.
+  /// Returns the ray mapped by the inverse, with the same t.
   Ray Back(const Ray& ray) const {
     Ray local = ray;
     local.origin = inverse_ * ray.origin, local.direction = inverse_ * ray.direction;

@@ -11,7 +11,7 @@ std::optional<Hit> IntersectScaledTriangle(const ShearedRay& ray, const double (
   double a[3], b[3];
   for (std::size_t i = 0; i < 3; ++i) a[i] = std::scalbn(x[i], -exponent), b[i] = std::scalbn(y[i], -exponent);
   const EdgeFunctions edges(a, b);
-  if (edges.HaveBothSigns() || edges.Sum() == 0) return {};  // missed, or edge-on
+  if (edges.HaveBothSigns() || edges.Sum() == 0) return {};  // a miss, or edge-on
   return TriangleHit(ray, edges, z);
 }
 

@@ -10,8 +10,8 @@
 
 namespace R3 {
 
-/// The axes in the order of a ray's shear: the direction's largest component is the third's, the others follow it in a
-/// cycle.
+/// The axes permuted for a ray's shear: the third is that of the direction's largest component, the others follow it
+/// cyclically.
 struct ShearAxes {
   explicit ShearAxes(const Vector& direction) : z(MaxAxis(direction)) {
     constexpr int next[3] = {1, 2, 0};
@@ -27,7 +27,7 @@ struct ShearAxes {
   int x, y, z;
 
  private:
-  /// In memory rather than by branches: rays of all directions come in no order.
+  /// Selects by memory access rather than branches, since rays of all directions come in no order.
   template <typename Xyz>
   static double LookUp(const Xyz& xyz, int axis) {
     static_assert(sizeof(Xyz) == 3 * sizeof(double));
@@ -38,7 +38,7 @@ struct ShearAxes {
   }
 };
 
-/// A ray made ready for triangle tests: axes permuted, and the shear that turns the direction into the third.
+/// A ray prepared for triangle tests: axes permuted, and the shear that maps the direction to the third axis.
 struct ShearedRay {
   explicit ShearedRay(const Ray& ray)
       : axes(ray.direction), origin(axes.Permuted(ray.origin)), t_min(ray.t_min), t_max(ray.t_max) {
@@ -54,20 +54,21 @@ struct ShearedRay {
   double t_min, t_max;
 };
 
-/// Nearest crossing with a triangle seen from either side; Hit::u and v are the weights of corners 1 and 2.
+/// Returns the nearest crossing with a triangle from either side; Hit::u and v are the weights of corners 1 and 2.
 ///   accuracy  watertight: rays through an edge or a corner shared by triangles hit at least one of them, because a
-///             corner's sheared place depends on ray and corner alone and the signs of the edge functions are exact
-///   source    Woop, Benthin, Wald, Watertight ray/triangle intersection (2013); the edge functions, which they redo in
+///             corner's sheared position depends on ray and corner alone and the signs of the edge functions are exact
+///   source    Woop, Benthin, Wald, Watertight ray/triangle intersection (2013); the edge functions, which they
+///             recompute in
 ///             double precision when zero, are exact in sign here by a fused difference of products
 std::optional<Hit> IntersectTriangle(const ShearedRay& ray, const std::array<Point, 3>& corners);
 
-/// The rest of the test where the areas of the sheared corners leave the range of doubles, or nearly: with the corners
-/// scaled by a power of two.
+/// Completes the test, with corners scaled by a power of two, if the areas of the sheared corners leave the range of
+/// doubles, or nearly.
 std::optional<Hit> IntersectScaledTriangle(const ShearedRay& ray, const double (&x)[3], const double (&y)[3],
                                            const double (&z)[3]);
 
-/// Twice the signed areas between the origin of the sheared plane, where the ray runs, and each edge: each is that of
-/// the corner across, and its sign is exact.
+/// Twice the signed areas between the origin of the sheared plane, through which the ray passes, and each edge, named
+/// by the opposite corner. Their signs are exact.
 struct EdgeFunctions {
   double u, v, w;
 
@@ -75,7 +76,7 @@ struct EdgeFunctions {
       : u(DifferenceOfProducts(x[2], y[1], y[2], x[1])),
         v(DifferenceOfProducts(x[0], y[2], y[0], x[2])),
         w(DifferenceOfProducts(x[1], y[0], y[1], x[0])) {}
-  /// Then the ray misses the triangle.
+  /// Returns true if both signs occur; the ray then misses the triangle.
   bool HaveBothSigns() const {
     const double least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
     return std::min(-least, most) > 0;
@@ -83,7 +84,7 @@ struct EdgeFunctions {
   double Sum() const { return u + v + w; }
 };
 
-/// The hit with edge functions of the same sign, whose sum is not 0.
+/// Makes the hit from edge functions of equal sign, whose sum is not 0.
 inline std::optional<Hit> TriangleHit(const ShearedRay& ray, const EdgeFunctions& edges, const double (&z)[3]) {
   const double sum = edges.Sum();
   const double t = (edges.u * z[0] + edges.v * z[1] + edges.w * z[2]) / sum * ray.z_scale;
@@ -91,8 +92,7 @@ inline std::optional<Hit> TriangleHit(const ShearedRay& ray, const EdgeFunctions
   return Hit{t, edges.v / sum, edges.w / sum, 0};
 }
 
-/// IntersectTriangle, compiled into its caller: for batches, whose caller is compiled for an instruction set. Corners
-/// stay where they are in memory.
+/// IntersectTriangle inlined into batches that are compiled for an instruction set. Corners are read in place.
 inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const std::array<const Point*, 3>& corners) {
   double x[3], y[3], z[3];
 #pragma GCC unroll 3
@@ -104,8 +104,8 @@ inline std::optional<Hit> IntersectTriangleInline(const ShearedRay& ray, const s
   }
   const EdgeFunctions edges(x, y);
   if (edges.HaveBothSigns()) return {};
-  if (!IsInRange(std::abs(edges.Sum()))) [[unlikely]] {  // seen edge-on it is 0
-    // From copies and through one: what is passed by address would have to be in memory for all triangles.
+  if (!IsInRange(std::abs(edges.Sum()))) [[unlikely]] {  // 0 if seen edge-on
+    // Uses copies, since arguments passed by address would force all triangles through memory.
     const auto scaled = IntersectScaledTriangle(ray, {x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {z[0], z[1], z[2]});
     if (!scaled) return {};
     return Hit{scaled->t, scaled->u, scaled->v, scaled->part};

@@ -5,9 +5,9 @@
 namespace R3 {
 namespace {
 
-constexpr double step_share = 0x1p-15;  // of the size of the shape
+constexpr double step_share = 0x1p-15;  // relative to the size of the shape
 
-/// From one texture coordinate to another nearby, over the seam where that is shorter.
+/// Returns the difference of two nearby texture coordinates, across the seam if that is shorter.
 double OverSeam(double difference) { return difference - std::round(difference); }
 
 }  // namespace
@@ -15,7 +15,7 @@ double OverSeam(double difference) { return difference - std::round(difference);
 UvTangents UvTangentsByRays(const Shape& shape, const Ray& ray, const Hit& hit, int element) {
   const Intersection at = shape.At(ray, hit, element);
   const Vector n = AsVector(at.normal);
-  // What has no end repeats its texture at every unit.
+  // Unbounded shapes repeat their texture every unit.
   const double step = step_share * (shape.IsBounded() ? shape.Bounds(element).Radius() : 1);
   const auto uv_at = [&](const Vector& aside) -> std::optional<R2::Point> {
     const Ray down{at.position + aside + step * n, -n, 0, 2 * step, ray.time};

@@ -5,11 +5,12 @@
 
 namespace R3 {
 
-/// Shape::UvTangentsAt for a shape of which nothing is known but what rays find: they are sent down onto it beside the
-/// hit, and the texture coordinates found there compared.
-///   accuracy   with steps of 2^-15 of the shape's size to both sides truncation leaves about 2^-30 of what u and v
-///              gain, on a surface that curves no more than its size says, and rounding 2^-35 near the origin, or 2^-15
-///              a million sizes away from it; where one side finds nothing, as at an edge, truncation leaves 2^-15
+/// Returns the tangents of Shape::UvTangentsAt for a shape that is known only by its ray intersections: compares the
+/// texture coordinates of rays that hit it close to the given hit.
+///   accuracy   with steps of 2^-15 of the shape's size to both sides, truncation leaves about 2^-30 of the gains of u
+///              and v
+///              on a surface that curves no more than its size implies, and rounding 2^-35 near the origin, or 2^-15 a
+///              million sizes away from it; if one side has no hit, as at an edge, truncation leaves 2^-15
 UvTangents UvTangentsByRays(const Shape& shape, const Ray& ray, const Hit& hit, int element);
 
 }  // namespace R3

@@ -8,7 +8,7 @@
 
 namespace R3 {
 
-/// A displacement: moves with the linear part of a transform only.
+/// A displacement, transformed by the linear part only.
 struct Vector {
   double x = 0, y = 0, z = 0;
 
@@ -25,7 +25,7 @@ inline Vector operator/(const Vector& v, double s) { return {v.x / s, v.y / s, v
 
 inline double Dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/// Each component within 1.5 ulp of the truth.
+/// Returns the cross product, each component within 1.5 ulp of the exact value.
 inline Vector Cross(const Vector& a, const Vector& b) {
   return {DifferenceOfProducts(a.y, b.z, a.z, b.y), DifferenceOfProducts(a.z, b.x, a.x, b.z),
           DifferenceOfProducts(a.x, b.y, a.y, b.x)};
@@ -33,7 +33,7 @@ inline Vector Cross(const Vector& a, const Vector& b) {
 
 inline Vector Abs(const Vector& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 inline bool IsFinite(const Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-/// v times 2^exponent: exact within the range of doubles.
+/// Returns v times 2^exponent: exact within the range of doubles.
 inline Vector ScaledByPower(const Vector& v, int exponent) {
   return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
 }
@@ -42,33 +42,34 @@ inline double MaxComponent(const Vector& v) {
   return of_two < v.z ? v.z : of_two;
 }
 
-/// The axis of the largest component in magnitude; the lowest axis among equals.
+/// Returns the axis of the largest component in magnitude; the lowest of equals.
 inline int MaxAxis(const Vector& v) {
   const Vector a = Abs(v);
-  // In sums, because branches on rays of all directions are guessed wrong.
+  // Computed by sums, because branches on rays of all directions are mispredicted.
   const int x_or_y = a.y > a.x, is_z = (a.z > a.x) & (a.z > a.y);
   return 2 * is_z + (1 - is_z) * x_or_y;
 }
 
-/// `v` turned about a unit vector by an angle in radians, counter-clockwise seen from its tip.
+/// Returns `v` rotated about a unit vector by an angle in radians, counter-clockwise seen from its tip.
 ///   source   Rodrigues, Des lois geometriques qui regissent les deplacements d'un systeme solide (1840)
 inline Vector Turned(const Vector& v, const Vector& axis, double angle) {
   const auto [sine, cosine] = R1::SinCos(angle);
   return cosine * v + sine * Cross(axis, v) + (1 - cosine) * Dot(axis, v) * axis;
 }
 
-// Sums of squares in this range have neither overflowed nor lost bits.
+// The range in which sums of squares have neither overflowed nor lost bits.
 inline constexpr double smallest_safe_square = 0x1p-960, largest_safe_square = 0x1p960;
 constexpr bool IsSafeSquare(double square) { return (square > smallest_safe_square) & (square < largest_safe_square); }
 
-/// The power of two that a vector is multiplied by before its square is taken, by what the square is without: nearly
-/// always 1. In two choices, since loops over many make no vector instructions of conditions joined by "and".
+/// Returns the power of two by which to scale a vector before squaring it, given its square without scaling: nearly
+/// always 1. Written as two selections, since loops with conditions joined by "and" are not vectorized.
 inline double SafeScale(double square) {
   const double if_small = square < smallest_safe_square ? 0x1p600 : 1;
   return square > largest_safe_square ? 0x1p-600 : if_small;
 }
 
-/// Euclidean length within 3 u relative. It has no branches, for loops that are to become vector instructions.
+/// Returns the Euclidean length within 3 u relative. It has no branches, for loops that are to become vector
+/// instructions.
 inline double BranchlessLength(const Vector& v) {
   const double square = Dot(v, v);
   const Vector w = SafeScale(square) * v;
@@ -76,21 +77,22 @@ inline double BranchlessLength(const Vector& v) {
   const double if_small = square < smallest_safe_square ? 0x1p-600 * length : length;
   return square > largest_safe_square ? 0x1p600 * length : if_small;
 }
-/// BranchlessLength, bit for bit, in less time for a single vector: the branch is nearly always guessed right.
+/// Returns the same bits as BranchlessLength in less time for a single vector: the branch is nearly always predicted
+/// correctly.
 inline double Length(const Vector& v) {
   const double square = Dot(v, v);
   return IsSafeSquare(square) ? std::sqrt(square) : BranchlessLength(v);
 }
 
-/// v / |v| within 4 u; the zero vector (and one with NaN or infinity) gives the zero vector. It has no branches, for
-/// loops that are to become vector instructions.
+/// Returns v / |v| within 4 u; zero for the zero vector and for one with NaN or infinity. It has no branches, for loops
+/// that are to become vector instructions.
 inline Vector BranchlessUnit(const Vector& v) {
   const Vector w = SafeScale(Dot(v, v)) * v;
   const double square = Dot(w, w), length = std::sqrt(square < infinity ? square : 0);
   const Vector unit = w / length;
   return {length > 0 ? unit.x : 0, length > 0 ? unit.y : 0, length > 0 ? unit.z : 0};
 }
-/// BranchlessUnit, bit for bit, in less time for a single vector.
+/// Returns the same bits as BranchlessUnit in less time for a single vector.
 inline Vector Unit(const Vector& v) {
   const double square = Dot(v, v);
   return IsSafeSquare(square) ? v / std::sqrt(square) : BranchlessUnit(v);

@@ -13,8 +13,8 @@ constexpr double pi = std::numbers::pi;
 }  // namespace
 
 Vector SamplePhongLobe(const R2::Point& u, double n) {
-  // The cosine to the power n + 1 is uniform in [0, 1]; at 0, which only u = 1 gives, its logarithm is still taken as
-  // finite, so that a huge n makes no NaN of it.
+  // The cosine to the power n + 1 is uniform in [0, 1]. At 0, which only u = 1 gives, its logarithm is still finite, so
+  // that a huge n does not cause NaN.
   const double logarithm = R1::Log1p(-std::min(u.x, 1 - 0x1p-53)) / (n + 1);
   return FromPolar(std::sqrt(-R1::Expm1(2 * logarithm)), R1::Exp(logarithm), u.y);
 }

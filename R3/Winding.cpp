@@ -9,8 +9,8 @@
 namespace R3 {
 namespace {
 
-/// For each triangle the sum of the cosines between its direction and the normals of its corners, in [-3, 3].
-std::vector<double> AgreementOfEach(const MeshData& mesh) {
+/// Returns for each triangle the sum of the cosines between its direction and the normals of its corners, in [-3, 3].
+std::vector<double> Agreements(const MeshData& mesh) {
   std::vector<double> agreements;
   agreements.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -20,7 +20,7 @@ std::vector<double> AgreementOfEach(const MeshData& mesh) {
   return agreements;
 }
 
-/// For each vertex the first one at its position: files repeat a position for every normal that it has.
+/// Maps each vertex to the first vertex at the same position, since files repeat positions once per normal.
 std::vector<std::uint32_t> FirstAtPosition(const std::vector<Point>& positions) {
   const auto key = [&](std::uint32_t i) { return std::tie(positions[i].x, positions[i].y, positions[i].z); };
   std::vector<std::uint32_t> order(positions.size()), first(positions.size());
@@ -53,8 +53,8 @@ std::vector<Edge> SortedEdges(const MeshData& mesh) {
   return edges;
 }
 
-/// Sets of triangles, each known by one of them. Source: Tarjan, Efficiency of a good but not linear set union
-/// algorithm (1975), with paths halved.
+/// Disjoint sets of triangles, each identified by one of them. Source: Tarjan, Efficiency of a good but not linear set
+/// union algorithm (1975), with path halving.
 class Surfaces {
  public:
   explicit Surfaces(std::size_t triangles) : parent_(triangles) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -83,7 +83,7 @@ Surfaces SurfacesWoundAlike(const MeshData& mesh) {
   return surfaces;
 }
 
-/// Six times the volume that the triangles bound if they are closed, above 0 where their fronts are outward.
+/// Returns six times the volume that closed triangles bound, positive if their fronts are outward.
 double SixVolumes(const MeshData& mesh) {
   double volume = 0;
   const Point& origin = mesh.positions[mesh.triangles[0][0]];
@@ -106,7 +106,7 @@ bool IsClosed(const MeshData& mesh) {
 }
 
 std::vector<std::uint32_t> TrianglesAgainstNormals(const MeshData& mesh) {
-  const std::vector<double> agreements = AgreementOfEach(mesh);
+  const std::vector<double> agreements = Agreements(mesh);
   if (std::ranges::none_of(agreements, [](double agreement) { return agreement < 0; })) return {};
   Surfaces surfaces = SurfacesWoundAlike(mesh);
   std::vector<double> of_surface(agreements.size());

@@ -2,7 +2,7 @@
 """Derives the numbers of R1/Coefficients.h and prints that file: script/elementary.py > R1/Coefficients.h
 
 Polynomials interpolate at Chebyshev nodes, which comes within a small factor of the best; the error of each, weighted as
-its function uses it, is printed beside it. Tables are rounded from 600 digits. Needs mpmath; nothing else of the
+its function uses it, is printed next to it. Tables are rounded from 600 digits. Needs mpmath; nothing else of the
 project needs this script: a test compares where mpmath is installed.
 """
 import mpmath
@@ -99,7 +99,7 @@ print("""#pragma once
 
 // clang-format off
 
-/// The numbers behind R1/Elementary.h. Printed by script/elementary.py, which derives them; not edited.
+/// The coefficients of R1/Elementary.h. Derived and printed by script/elementary.py; do not edit.
 namespace R1::coefficients {
 
 struct TwoParts { double high, low; };
@@ -139,7 +139,7 @@ high = head(mp.log(2) / EXP_STEPS, -43)
 print(f"inline constexpr TwoParts exp_step = {{{hexadecimal(high)}, {hexadecimal(rounded(mp.log(2) / EXP_STEPS - high))}}};")
 print(f"inline constexpr double exp_steps_per_unit = {hexadecimal(rounded(EXP_STEPS / mp.log(2)))};\n")
 
-print("// The bits of 2/pi after the point, 64 a word")
+print("// The bits of 2/pi after the point, 64 per word")
 bits = int(mp.floor(mp.ldexp(2 / mp.pi, 64 * 20)))
 rows("std::uint64_t", "two_over_pi", [f"0x{(bits >> (64 * (19 - i))) & (2**64 - 1):016x}" for i in range(20)], 5)
 print("// Angles of (16, i), (i, 16), (-16, i) and (-i, 16) from the x axis")
@@ -149,11 +149,11 @@ for name, angles in zip(("flat", "steep", "flat_left", "steep_left"), turned):
     rows("TwoParts", name, [of_two(a) for a in angles], 2)
 print("inline constexpr const TwoParts* arctangents[] = {flat, steep, flat_left, steep_left};\n")
 print(f"inline constexpr int log_steps = {LOG_STEPS}, exp_steps = {EXP_STEPS};")
-print("// The bits of the least x whose logarithm is taken with no power of two")
+print("// The bits of the smallest x whose logarithm needs no power of two")
 print(f"inline constexpr std::uint64_t log_first = 0x{0x3ff0000000000000 - int(first_below_one * 2**45):016x};\n")
 entries = [log_entry(i) for i in range(LOG_STEPS)]
 rows("LogEntry", "logarithms", ["{" + ", ".join(hexadecimal(rounded(x)) for x in e) + "}" for e in entries], 2)
-print(f"// 2^(i/{EXP_STEPS}), and what its rounding left out, relative to it")
+print(f"// 2^(i/{EXP_STEPS}), and its rounding error relative to it")
 powers = [mpf(2)**(mpf(i) / EXP_STEPS) for i in range(EXP_STEPS)]
 rows("TwoParts", "powers", [f"{{{hexadecimal(rounded(p))}, {hexadecimal(rounded(p / rounded(p) - 1))}}}" for p in powers], 2)
 print("}  // namespace R1::coefficients")

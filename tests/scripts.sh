@@ -22,6 +22,7 @@ accelerator_choice.py night -width 8 -rounds 1 implicit
 advice.py night $RAYPRO $work/white.scn
 art.sh night -small glass
 check_dist.sh night
+check_english.sh by Makefile
 check_functions.sh by tests/R1/Elementary.cpp
 check_layers.sh by Makefile
 check_packages.sh by Makefile

@@ -22,7 +22,7 @@ double SquaredLength(const Color& c) { return c.r * c.r + c.g * c.g + c.b * c.b;
 bool HaveOneSize(const Image& a, const Image& b) { return a.Width() == b.Width() && a.Height() == b.Height(); }
 
 double RelativeSquare(const Color& x, const Color& r) {
-  constexpr double dark = 0.01;  // keeps black pixels of the reference from deciding alone
+  constexpr double dark = 0.01;  // keeps black pixels of the reference from dominating
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
     const auto channel = static_cast<std::size_t>(i);

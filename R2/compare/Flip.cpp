@@ -20,10 +20,10 @@ struct Triple {
   double x = 0, y = 0, z = 0;
 };
 
-/// White of the standard illuminant D65.
+/// The white point of the standard illuminant D65.
 constexpr Triple white{0.950428545, 1.0, 1.088900371};
 
-/// Relative to white, so that white is (1, 1, 1).
+/// Converts to XYZ relative to white, so that white is (1, 1, 1).
 Triple RelativeXyz(const Color& linear) {
   return {
       (0.41238656325299233 * linear.r + 0.35759149092062537 * linear.g + 0.18045049120356373 * linear.b) / white.x,
@@ -38,7 +38,7 @@ Color LinearRgb(const Triple& relative) {
           0.055639419851975444 * x - 0.20401120612391218 * y + 1.0571489771875335 * z};
 }
 
-/// The linear cousin of L*a*b*: lightness, red against green, yellow against blue.
+/// Converts to YCxCz, the linear counterpart of L*a*b*: lightness, red versus green, yellow versus blue.
 Triple YCxCz(const Triple& relative) {
   return {116 * relative.y - 16, 500 * (relative.x - relative.y), 200 * (relative.y - relative.z)};
 }
@@ -53,7 +53,7 @@ double LabCurve(double t) {
   return t > delta * delta * delta ? R1::Cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
 }
 
-/// L*a*b* after the Hunt effect: colors look less colorful where they are dark (section 4.1.3).
+/// Converts to L*a*b* with the Hunt effect: colors look less colorful when dark (section 4.1.3).
 Triple HuntLab(const Color& linear) {
   const Triple t = RelativeXyz(linear);
   const double fx = LabCurve(t.x), fy = LabCurve(t.y), fz = LabCurve(t.z);
@@ -61,15 +61,15 @@ Triple HuntLab(const Color& linear) {
   return {lightness, 0.01 * lightness * 500 * (fx - fy), 0.01 * lightness * 200 * (fy - fz)};
 }
 
-/// Distance for large differences of color: city block in lightness, Euclidean in the others (section 4.1.4).
+/// Returns the distance for large color differences: city block in lightness, Euclidean in the others (section 4.1.4).
 double HyAB(const Triple& a, const Triple& b) { return std::abs(a.x - b.x) + R1::Hypot(a.y - b.y, a.z - b.z); }
 
 // --- filters ---
 
-/// Weights of -radius..radius.
+/// The filter weights of -radius..radius.
 using Kernel = std::vector<float>;
 
-/// `shape` at every pixel, not yet scaled.
+/// Evaluates `shape` at every pixel of the kernel, without scaling.
 template <typename Shape>
 std::vector<double> Sampled(int radius, const Shape& shape) {
   std::vector<double> weights;
@@ -77,7 +77,7 @@ std::vector<double> Sampled(int radius, const Shape& shape) {
   return weights;
 }
 
-/// Positive weights sum to `sum`, negative ones to -`sum`.
+/// Scales the weights so that positive ones sum to `sum` and negative ones to -`sum`.
 Kernel Scaled(const std::vector<double>& weights, double sum = 1) {
   double positive = 0, negative = 0;
   for (const double w : weights) (w > 0 ? positive : negative) += std::abs(w);
@@ -87,7 +87,7 @@ Kernel Scaled(const std::vector<double>& weights, double sum = 1) {
   return kernel;
 }
 
-/// The pixels of the border stand for those beyond it.
+/// Filters along rows. Pixels beyond the border repeat the border.
 Plane AlongRows(const Plane& in, const Kernel& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2);
   Plane out(in.width, in.height);
@@ -120,7 +120,7 @@ Plane Filtered(const Plane& in, const Kernel& along_rows, const Kernel& along_co
   return AlongColumns(AlongRows(in, along_rows), along_columns);
 }
 
-// --- what the eye resolves (section 4.1.1) ---
+// --- the resolution of the eye (section 4.1.1) ---
 
 /// A contrast sensitivity function as a sum of two Gaussians, in the frequency domain a1 exp(-b1 f^2) + ... (table 1).
 struct Sensitivity {
@@ -130,13 +130,13 @@ constexpr Sensitivity achromatic{1, 0.0047, 0, 1e-5};
 constexpr Sensitivity red_green{1, 0.0053, 0, 1e-5};
 constexpr Sensitivity blue_yellow{34.1, 0.04, 13.5, 0.025};
 
-/// The filters all reach as far as the widest of them.
+/// Returns the radius of the widest filter, which all of them share.
 int SensitivityRadius(double pixels_per_degree) {
   constexpr double widest = blue_yellow.b1;
   return static_cast<int>(std::ceil(3 * std::sqrt(widest / 2) / std::numbers::pi * pixels_per_degree));
 }
 
-/// One of the Gaussians at a distance in pixels; its square over the plane is the product of two of these.
+/// Evaluates one of the Gaussians at a distance in pixels; its square over the plane is the product of two of these.
 auto SpatialGaussian(double b, double pixels_per_degree) {
   return [=](double pixels) {
     const double degrees = pixels / pixels_per_degree;
@@ -144,9 +144,9 @@ auto SpatialGaussian(double b, double pixels_per_degree) {
   };
 }
 
-/// By the contrast sensitivity function. Each Gaussian is separable, their sum is not: each is filtered alone, with its
-/// share of the whole. The shares follow the authors' program, which weighs a Gaussian of two dimensions by a sqrt(pi /
-/// b) as one of one dimension.
+/// Filters by the contrast sensitivity function. Each Gaussian is separable but their sum is not, so each is filtered
+/// separately with its share of the whole. The shares follow the authors' program, which weights a two-dimensional
+/// Gaussian by a sqrt(pi / b), like a one-dimensional one.
 Plane FilterByCsf(const Plane& channel, const Sensitivity& s, double pixels_per_degree) {
   const int radius = SensitivityRadius(pixels_per_degree);
   const auto part = [&](double a, double b) {
@@ -165,7 +165,7 @@ Plane FilterByCsf(const Plane& channel, const Sensitivity& s, double pixels_per_
   return seen;
 }
 
-// --- one picture ---
+// --- one image ---
 
 using Planes = std::array<Plane, 3>;
 
@@ -190,7 +190,7 @@ Planes Opponents(const Image& image) {
   return opponents;
 }
 
-/// The colors that are left once the eye has blurred the picture, in Hunt-adjusted L*a*b*.
+/// Returns the colors that remain after the eye has blurred the image, in Hunt-adjusted L*a*b*.
 Planes SeenColors(const Planes& opponents, double pixels_per_degree) {
   Planes seen{FilterByCsf(opponents[0], achromatic, pixels_per_degree),
               FilterByCsf(opponents[1], red_green, pixels_per_degree),
@@ -202,7 +202,7 @@ Planes SeenColors(const Planes& opponents, double pixels_per_degree) {
   return seen;
 }
 
-/// How strong edges and points are: lengths of gradients of the first and second kind (section 4.2).
+/// The strengths of edges and points: lengths of first and second derivatives (section 4.2).
 struct Features {
   Plane edges, points;
 };
@@ -215,7 +215,7 @@ Plane Lengths(const Plane& x, const Plane& y) {
 }
 
 Features FindFeatures(const Plane& lightness, double pixels_per_degree) {
-  constexpr double width = 0.082;  // w: of an edge that the eye detects, in degrees
+  constexpr double width = 0.082;  // w: width of an edge that the eye detects, in degrees
   const double sigma = 0.5 * width * pixels_per_degree;
   const int radius = static_cast<int>(std::ceil(3 * sigma));
   const auto gaussian = [=](double x) { return R1::Exp(-x * x / (2 * sigma * sigma)); };
@@ -229,12 +229,12 @@ Features FindFeatures(const Plane& lightness, double pixels_per_degree) {
           Lengths(Filtered(normalized, point, blur), Filtered(normalized, blur, point))};
 }
 
-// --- two pictures ---
+// --- two images ---
 
 constexpr double color_exponent = 0.7;  // q_c
 
-/// Differences of color up to 0.4 of the largest possible take most of the range, to 0.95; the rest shares what is
-/// left (section 4.1.5).
+/// Compresses large color differences: those up to 0.4 of the largest possible are mapped to [0, 0.95], the rest to the
+/// remaining range (section 4.1.5).
 double Remapped(double difference) {
   constexpr double knee = 0.4, value_at_knee = 0.95;  // p_c, p_t
   static const double largest = R1::Pow(HyAB(HuntLab({0, 1, 0}), HuntLab({0, 0, 1})), color_exponent);
@@ -251,7 +251,7 @@ double FeatureDifference(const Features& a, const Features& b, std::size_t i) {
   return R1::Pow(std::max(edges, points) / std::numbers::sqrt2, feature_exponent);
 }
 
-/// What two images are compared by.
+/// The filtered features by which two images are compared.
 struct FilteredImage {
   Planes colors;
   Features features;

@@ -5,11 +5,11 @@
 
 namespace R2 {
 
-/// How many pixels a degree of the eye's view holds: 67.02 for a screen 0.7 m wide with 3840 pixels seen from 0.7 m.
+/// The number of pixels per degree of visual angle: 67.02 for a screen 0.7 m wide with 3840 pixels viewed from 0.7 m.
 inline constexpr double flip_pixels_per_degree = 67.0206;
 
-/// How different two pictures look, pixel by pixel, when one is shown in place of the other: 0 the same, 1 the most.
-/// Symmetric in its pictures.
+/// Returns the perceived difference of two images for each pixel, when one alternates with the other: 0 is equal, 1 the
+/// maximum. Symmetric in its images.
 ///   a, b              of the same size (asserted); values for a screen, sRGB-encoded, clamped to [0, 1] here; NaN is
 ///                     black
 ///   pixels_per_degree 1 to 1000: the larger, the farther away the eye and the less fine noise it sees

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t core_header_size = 12, least_os2_size = 16, info_header_size = 40, os2_header_size = 64;
 
-/// The info header field by field, with those that it leaves out as zero.
+/// The fields of the info header; missing fields are zero.
 struct InfoHeader {
   std::uint32_t size = 0;
   std::int64_t width = 0, height = 0;
@@ -22,16 +22,16 @@ struct InfoHeader {
 
   bool IsCore() const { return size == core_header_size; }
   bool IsOs2() const { return !IsCore() && (size < info_header_size || size == os2_header_size); }
-  /// Later headers hold the masks; they follow the first one.
+  /// Returns true if the header contains the masks, as later versions do; otherwise they follow the header.
   bool HoldsMasks() const { return size > info_header_size && size != os2_header_size; }
-  /// How many masks follow the header.
+  /// Returns the number of masks that follow the header.
   int MasksBehind() const {
     if (HoldsMasks() || IsCore() || IsOs2()) return 0;
     return compression == 3 ? 3 : compression == 6 ? 4 : 0;
   }
 };
 
-/// The rest of a header that may end early.
+/// Reads a field of a header that may end early; missing fields are 0.
 std::uint32_t FieldOr0(ByteReader& header) { return header.Left() < 4 ? 0 : header.Little32("the info header"); }
 
 InfoHeader ReadInfoHeader(ByteReader& reader) {
@@ -48,10 +48,10 @@ InfoHeader ReadInfoHeader(ByteReader& reader) {
   info.image_bytes = FieldOr0(header);
   FieldOr0(header), FieldOr0(header);  // pixels per meter
   info.colors = FieldOr0(header);
-  FieldOr0(header);  // how many colors matter
+  FieldOr0(header);  // number of important colors
   if (info.HoldsMasks()) {
     for (std::uint32_t& mask : info.masks) mask = FieldOr0(header);
-    // The last version ends with how colors are calibrated, and the place and size of a profile.
+    // The last version ends with the color calibration, and the position and size of a profile.
     constexpr std::uint64_t before_profile_size = 60;
     if (header.Left() >= before_profile_size + 4) {
       header.Take(before_profile_size, "the info header");
@@ -63,7 +63,7 @@ InfoHeader ReadInfoHeader(ByteReader& reader) {
   return info;
 }
 
-/// Names what is not read.
+/// Throws if the compression is not supported.
 void CheckCompression(const ByteReader& reader, const InfoHeader& info) {
   const std::uint32_t compression = info.compression;
   if (compression == 4 && !info.IsOs2()) reader.Fail("holds a JPEG instead of pixels, which is not supported");
@@ -79,12 +79,12 @@ void CheckCompression(const ByteReader& reader, const InfoHeader& info) {
                 " bits per pixel; run lengths of 8 and 4 bits and bit fields of 16 and 32 bits are read");
 }
 
-/// Whether the ones of a mask stand side by side.
+/// Returns true if the ones of a mask are contiguous.
 bool IsContiguous(std::uint32_t mask) {
   return mask == 0 || ((mask / (mask & -mask)) & (mask / (mask & -mask) + 1)) == 0;
 }
 
-/// Masks count only where the compression says that there are some: later headers have room for them in any case.
+/// Reads the masks. They count only if the compression says so: later headers have room for them in any case.
 BitFields FieldsOf(const ByteReader& reader, const InfoHeader& info) {
   if (info.compression != 3 && info.compression != 6)
     return info.bits == 16 ? BitFields{{0x7c00}, {0x3e0}, {0x1f}, {}} : BitFields{};
@@ -98,8 +98,9 @@ BitFields FieldsOf(const ByteReader& reader, const InfoHeader& info) {
   return {{red}, {green}, {blue}, {alpha}};
 }
 
-/// Where palette and pixels are. The file header says where pixels start, but some writers state a place within header
-/// or palette, as if there were none, or none at all; others write a palette shorter than its header has it.
+/// Locates palette and pixels. The file header states where pixels start, but some writers state a position within the
+/// header or the palette, as if there were no palette, or none at all; others write a palette shorter than the header
+/// states.
 void FindPixels(Header& header, const InfoHeader& info, std::uint64_t palette_start, std::uint64_t stated,
                 std::span<const unsigned char> file) {
   const std::uint64_t most_colors = std::uint64_t{1} << std::min(header.bits, 8);

@@ -8,8 +8,8 @@ namespace R2::bmp {
 
 namespace {
 
-// A step to the right and up takes four bytes and passes over at most 255 rows of pixels, or 255 by 255 where rows are
-// as short. More pixels out of fewer bytes would be memory for nothing.
+// A move right and up takes four bytes and skips at most 255 rows of pixels, or 255 by 255 if rows are that short.
+// Files with more pixels per byte would only waste memory.
 constexpr std::uint64_t most_pixels_per_byte = 255 * 255 / 4;
 
 class RunLengths {
@@ -25,7 +25,7 @@ class RunLengths {
   Places Read() {
     bool is_done = false;
     while (!is_done && y_ < height_) {
-      // The mark of the end is left out by some.
+      // Some writers omit the end mark.
       if (reader_.Left() < 2 && y_ == height_ - 1 && x_ >= width_) break;
       is_done = ReadCode();
     }
@@ -38,7 +38,7 @@ class RunLengths {
   }
 
  private:
-  /// Returns whether it was the end of the bitmap.
+  /// Reads one code; returns true at the end of the bitmap.
   bool ReadCode() {
     const unsigned count = reader_.Byte("a run"), code = reader_.Byte("a run");
     if (count > 0) {
@@ -57,13 +57,13 @@ class RunLengths {
     return count == 0 && code == 1;
   }
 
-  /// One byte again and again: a place, or two places in turn.
+  /// Repeats one byte: one palette index, or two in turn.
   void Run(unsigned count, unsigned value) {
     const unsigned first = bits_ == 4 ? value >> 4 : value, second = bits_ == 4 ? value & 15 : value;
     for (unsigned i = 0; i < count; ++i) Put(i % 2 == 0 ? first : second);
   }
 
-  /// Places as they are; their bytes are even in number.
+  /// Copies literal indices, padded to an even number of bytes.
   void Stretch(unsigned count) {
     const unsigned bytes = bits_ == 4 ? (count + 1) / 2 : count;
     const auto places = reader_.Take(bytes, "a stretch");
@@ -84,9 +84,9 @@ class RunLengths {
 
   ByteReader reader_;
   int width_, height_, bits_;
-  int row_end_;  // some writers encode the bytes that fill a row up to four
+  int row_end_;  // some writers also encode the bytes that pad a row to a multiple of four
   std::vector<unsigned char> places_;
-  int x_ = 0, y_ = 0;  // where the next pixel goes; x is at most row_end_, and while a code is read y is in a row
+  int x_ = 0, y_ = 0;  // the next pixel; x is at most row_end_, and y is inside the image while a code is read
   bool is_cut_ = false;
 };
 

@@ -19,8 +19,8 @@ std::string_view Text(std::span<const unsigned char> bytes) {
 
 void ByteReader::Need(std::uint64_t count, const char* what) const {
   if (count <= Left()) return;
-  Fail("is truncated: " + std::string(what) + " takes " + std::to_string(count) + " bytes, " + std::to_string(Left()) +
-       " are there");
+  Fail("is truncated: " + std::string(what) + " takes " + std::to_string(count) + " bytes, but only " +
+       std::to_string(Left()) + " are left");
 }
 
 std::span<const unsigned char> ByteReader::Take(std::uint64_t count, const char* what) {
@@ -58,7 +58,7 @@ void ByteReader::SkipSpace() {
   while (Left() > 0 && (IsSpace(bytes_[position_]) || bytes_[position_] == '#')) {
     const bool is_comment = bytes_[position_] == '#';
     ++position_;
-    // A lone carriage return ends a line too.
+    // A lone carriage return also ends a line.
     while (is_comment && Left() > 0 && bytes_[position_] != '\n' && bytes_[position_] != '\r') ++position_;
   }
 }
@@ -82,7 +82,8 @@ int ByteReader::WholeNumber(const char* what, int least, int most) {
   const std::string_view word = Word(what);
   int number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  // The word itself stays out of the message: it comes from a stranger and may be long or steer a terminal.
+  // The message does not quote the word: it comes from an untrusted file and may be long or contain terminal control
+  // codes.
   if (error != std::errc() || end != word.data() + word.size() || number < least || number > most) {
     Fail("is wrong: " + std::string(what) + " must be a whole number from " + std::to_string(least) + " to " +
          std::to_string(most));
@@ -102,7 +103,7 @@ void ByteReader::SpaceBefore(std::uint64_t pixel_bytes) {
   while (end < bytes_.size() && (bytes_[end] == ' ' || bytes_[end] == '\t' || bytes_[end] == '\r')) ++end;
   if (end == bytes_.size() || bytes_[end] != '\n') return;
   ++end;
-  // CR LF is an end of line even where more bytes are left over.
+  // CR LF is a line end even if surplus bytes follow.
   const bool is_windows_line = bytes_[start] == '\r' && end == start + 2;
   if (is_windows_line || bytes_.size() - end == pixel_bytes) position_ = end;
 }

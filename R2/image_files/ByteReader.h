@@ -7,16 +7,16 @@
 
 namespace R2 {
 
-/// Reads forward through the bytes of an image file. Whatever asks for more than is left throws ImageError,
-/// which is why every reader without a library behind it goes through here.
+/// Reads forward through the bytes of an image file. Requests for more bytes than are left throw ImageError, so all
+/// readers that use no library are built on it.
 class ByteReader {
  public:
-  /// `kind` names the format in messages. Both are only looked at, and must outlive the reader.
+  /// Makes a reader of bytes that must outlive it; `kind` names the format in messages and must outlive it too.
   ByteReader(const char* kind, std::span<const unsigned char> bytes) : kind_(kind), bytes_(bytes) {}
 
   std::uint64_t Left() const { return bytes_.size() - position_; }
   std::span<const unsigned char> Rest() const { return bytes_.subspan(position_); }
-  /// Throws unless `count` bytes are left, `what` being what they hold.
+  /// Throws unless `count` bytes are left; `what` names their contents in the message.
   void Need(std::uint64_t count, const char* what) const;
 
   std::span<const unsigned char> Take(std::uint64_t count, const char* what);
@@ -26,24 +26,24 @@ class ByteReader {
   std::uint32_t Big32(const char* what);
   std::int32_t LittleSigned32(const char* what) { return static_cast<std::int32_t>(Little32(what)); }
 
-  /// The bytes before the next `end`, which is passed over.
+  /// Reads up to the next `end`, and skips that.
   std::string_view Until(char end, const char* what);
 
-  // Words of the Netpbm family: separated by white space; # starts a comment that goes on to the end of its line.
+  // Words of the Netpbm family: separated by white space; # starts a comment up to the end of its line.
   void SkipSpace();
   std::string_view Word(const char* what);
-  /// A digit 0 or 1, before which there may be white space.
+  /// Reads a digit 0 or 1 after optional white space.
   bool Bit(const char* what);
-  /// A word that is a whole number in [least, most].
+  /// Reads a word that is an integer in [least, most].
   int WholeNumber(const char* what, int least, int most);
-  /// The one byte of white space that ends the magic number.
+  /// Reads the single byte of white space that ends the magic number.
   void OneSpace();
-  /// The white space between the header and `pixel_bytes` of binary pixels: one byte. Some writers end the line in CR
-  /// LF, or with blanks before its end. Since a pixel may look like white space, these are passed over only where the
-  /// file is longer for them.
+  /// Reads the white space between the header and `pixel_bytes` of binary pixels: one byte. Some writers end the line
+  /// in CR LF, or with blanks before its end. Since a pixel may look like white space, extra characters are skipped
+  /// only if the file is longer by that many bytes.
   void SpaceBefore(std::uint64_t pixel_bytes);
 
-  /// Throws an ImageError that starts with the kind.
+  /// Throws an ImageError that starts with the format's name.
   [[noreturn]] void Fail(const std::string& message) const;
 
  private:

@@ -6,7 +6,7 @@ namespace R2 {
 
 namespace {
 
-/// One line without line breaks; a colon is escaped in keys only, so that the first bare one ends the key.
+/// Escapes line breaks; a colon is escaped in keys only, so that the first unescaped one ends the key.
 std::string Escaped(const std::string& text, bool is_key) {
   std::string escaped;
   for (char c : text) {
@@ -41,7 +41,7 @@ std::string Unescaped(std::string_view text) {
   return plain;
 }
 
-/// A line of another program's without a key is kept under "comment".
+/// Adds a line. A line without a key, from another program, is stored under "comment".
 void AddLine(ImageSettings& settings, std::string_view line) {
   std::size_t colon = 0;
   while (colon < line.size() && line[colon] != ':') colon += line[colon] == '\\' ? 2 : 1;

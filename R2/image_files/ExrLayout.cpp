@@ -15,7 +15,7 @@ namespace R2 {
 
 namespace {
 
-// The file's numbers for those compressions that are looked at here.
+// The file's numbers of the compressions that are checked here.
 constexpr int none = 0, run_length = 1, zip_of_one_row = 2, zip = 3;
 
 ExrWindow ReadWindow(ByteReader& value) {
@@ -26,8 +26,9 @@ ExrWindow ReadWindow(ByteReader& value) {
 
 std::int64_t Area(const ImageSize& size) { return std::int64_t{size.width} * size.height; }
 
-/// The margin around the data window is in no file, so that a few bytes could ask for any size: up to 8192 x 8192
-/// pixels are made of any file, more where at least a sixteenth of them is stored.
+/// Limits the margin around the data window. It takes no bytes in the file, so a few bytes could request any size:
+/// images up to 8192 x 8192 pixels are accepted from any file, larger ones if at least a sixteenth of the pixels is
+/// stored.
 void CheckMargin(const ByteReader& reader, const ExrLayout& layout) {
   constexpr std::int64_t made_of_any_file = 8192 * 8192, most_made_of_one = 16;
   const std::int64_t area = Area(layout.display.size);
@@ -60,8 +61,8 @@ std::vector<ExrChannel> ReadChannels(ByteReader& value) {
   return channels;
 }
 
-/// Whether the library reads as many bytes of an attribute as the file states. Of most types it reads so many whatever
-/// the file states, and would take what follows for something else, down to sizes that it makes room for.
+/// Returns true if the size of an attribute is that of its type. For most types the library reads a fixed number of
+/// bytes regardless of the stated size, and would misinterpret what follows, including sizes that it allocates.
 ///   source   OpenEXR File Layout (2013), "Attribute Types"
 bool HasSizeOfType(std::string_view type, ByteReader value) {
   constexpr std::array<std::pair<std::string_view, std::uint64_t>, 23> sizes{
@@ -78,7 +79,7 @@ bool HasSizeOfType(std::string_view type, ByteReader value) {
   if (type == "deepImageState") return value.Left() == 1;
   if (type == "chlist") ReadChannels(value);
   if (type == "preview") {
-    // Bounded, lest the product overflows.
+    // Clamped to keep the product from overflowing.
     const auto side = [&] { return std::min<std::uint64_t>(value.Little32("a size"), max_pixels); };
     value.Take(4 * side() * side(), "a preview");
   }
@@ -87,7 +88,7 @@ bool HasSizeOfType(std::string_view type, ByteReader value) {
   return !is_read_to_its_end || value.Left() == 0;
 }
 
-/// How many rows are compressed together; a number that is no compression is left to the library to refuse.
+/// Returns the number of rows that are compressed together. Unknown compressions are left for the library to reject.
 int RowsTogether(int compression) {
   constexpr std::array rows{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
   return compression < static_cast<int>(rows.size()) ? rows[static_cast<std::size_t>(compression)] : 256;
@@ -101,7 +102,7 @@ void CheckTiles(const ByteReader& reader, const ExrLayout& layout) {
   if (layout.tile_width < 1 || layout.tile_height < 1 || layout.tile_width > most / layout.tile_height) {
     reader.Fail("has no tiles, or tiles much larger than the image");
   }
-  // The library keeps one row of tiles unpacked.
+  // The library keeps one row of tiles uncompressed.
   if (layout.tile_height > static_cast<std::uint64_t>(max_pixels) / width) {
     reader.Fail("has too many pixels in a row of tiles");
   }
@@ -109,8 +110,8 @@ void CheckTiles(const ByteReader& reader, const ExrLayout& layout) {
 
 std::int64_t Quotient(std::int64_t whole, std::int64_t part) { return (whole + part - 1) / part; }
 
-/// Bytes of all samples in `width` columns of the rows [first, last) of the data window; the library makes sure that
-/// sampling steps divide the window.
+/// Returns the bytes of all samples in `width` columns of the rows [first, last) of the data window. The library
+/// ensures that sampling steps divide the window.
 std::uint64_t PixelBytes(const ExrLayout& layout, int width, int first, int last) {
   std::int64_t bytes = 0;
   for (const ExrChannel& channel : layout.channels) {
@@ -120,7 +121,8 @@ std::uint64_t PixelBytes(const ExrLayout& layout, int width, int first, int last
   return static_cast<std::uint64_t>(bytes);
 }
 
-/// Bytes that run-length encoding unpacks to: a count below zero is that many plain bytes, another a repeated one.
+/// Returns the uncompressed size of run-length encoded bytes: a negative count is followed by that many plain bytes,
+/// any other by one byte to repeat.
 std::uint64_t RunLengthUnpacked(std::span<const unsigned char> packed) {
   std::uint64_t length = 0;
   for (std::size_t i = 0; i < packed.size();) {
@@ -131,7 +133,8 @@ std::uint64_t RunLengthUnpacked(std::span<const unsigned char> packed) {
   return length;
 }
 
-/// Bytes that a zlib stream unpacks to, no matter how many when they are more than `most`; 0 when it is damaged.
+/// Returns the uncompressed size of a zlib stream; any value above `most` if it is larger than that, 0 if it is
+/// damaged.
 std::uint64_t Inflated(std::span<const unsigned char> packed, std::uint64_t most) {
   z_stream stream{};
   if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
@@ -149,16 +152,16 @@ std::uint64_t Inflated(std::span<const unsigned char> packed, std::uint64_t most
   return length;
 }
 
-/// Whether a block holds `expected` bytes of pixels.
+/// Returns true if a block contains `expected` bytes of pixels.
 bool Holds(std::span<const unsigned char> block, std::uint64_t expected, int compression) {
-  if (block.size() >= expected) return block.size() == expected;  // what would not shrink is stored as it is
+  if (block.size() >= expected) return block.size() == expected;  // incompressible data is stored as it is
   if (compression == none) return false;
   if (compression == run_length) return RunLengthUnpacked(block) == expected;
   if (compression == zip || compression == zip_of_one_row) return Inflated(block, expected) == expected;
-  return true;  // for the others the library counts
+  return true;  // the library checks the others
 }
 
-/// The packed bytes of the block at `place`, which starts with its coordinates.
+/// Returns the compressed bytes of the block at `place`, which starts with its coordinates.
 std::span<const unsigned char> Block(std::span<const unsigned char> bytes, std::uint64_t place, int coordinates) {
   ByteReader reader("EXR", bytes);
   reader.Take(place, "what comes before a block");
@@ -166,7 +169,8 @@ std::span<const unsigned char> Block(std::span<const unsigned char> bytes, std::
   return reader.Take(reader.Little32("a block"), "a block");
 }
 
-/// Where the block at `place` ends; nothing unless it is in the file and holds so many bytes of pixels.
+/// Returns the end of the block at `place`; std::nullopt unless it is inside the file and contains the expected number
+/// of pixel bytes.
 std::optional<std::uint64_t> EndOfBlock(std::span<const unsigned char> bytes, const ExrLayout& layout,
                                         std::uint64_t place, std::uint64_t expected) {
   try {
@@ -180,7 +184,7 @@ std::optional<std::uint64_t> EndOfBlock(std::span<const unsigned char> bytes, co
 
 }  // namespace
 
-/// Steps over the attributes: name, type, size, value.
+/// Reads the attributes in turn: name, type, size, value.
 ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
   constexpr std::uint32_t tiled_flag = 0x200, deep_flag = 0x800, multipart_flag = 0x1000;
   ByteReader reader("EXR", bytes);
@@ -204,7 +208,7 @@ ExrLayout ReadExrLayout(std::span<const unsigned char> bytes) {
       layout.tile_width = value.Little32("the tile size");
       layout.tile_height = value.Little32("the tile size");
       layout.has_smaller_copies =
-          (value.Byte("the tile levels") & 15) != 0;  // the higher bits say how sizes are rounded
+          (value.Byte("the tile levels") & 15) != 0;  // the higher bits are the rounding mode of sizes
     }
   }
   if (layout.data.size.width == 0) reader.Fail("has no data window");
@@ -220,7 +224,7 @@ std::uint64_t CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayo
   ByteReader table("EXR", bytes);
   table.Take(layout.table, "the header");
   const auto [width, height] = layout.data.size;
-  // A tile may be wider than any picture.
+  // A tile may be wider than any image.
   const int tile_width = static_cast<int>(std::min<std::uint64_t>(layout.tile_width, max_pixels));
   const int columns_together = layout.is_tiled ? tile_width : width;
   const int rows_together = layout.is_tiled ? static_cast<int>(layout.tile_height) : RowsTogether(layout.compression);
@@ -228,7 +232,7 @@ std::uint64_t CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayo
   table.Need(8 * static_cast<std::uint64_t>(blocks), "the table of blocks");
 
   std::uint64_t last_end = layout.table;
-  // In a file with smaller copies of the picture, the picture itself comes first.
+  // In a file with smaller copies of the image, the image itself comes first.
   for (int y = 0; y < height; y += rows_together) {
     for (int x = 0; x < width; x += columns_together) {
       const std::uint64_t low = table.Little32("the table of blocks"), high = table.Little32("the table of blocks");
@@ -237,7 +241,7 @@ std::uint64_t CheckExrBlocks(std::span<const unsigned char> bytes, const ExrLayo
       const auto end = EndOfBlock(bytes, layout, low | high << 32, expected);
       if (!end)
         table.Fail("is truncated or damaged: " + std::to_string(y) + " of " + std::to_string(height) +
-                   " rows are there");
+                   " rows are present");
       last_end = std::max(last_end, *end);
     }
   }

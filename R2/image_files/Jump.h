@@ -6,24 +6,24 @@
 #include <type_traits>
 #include <vector>
 
-/// How libjpeg and libpng report errors: they call back and never expect a return. An exception must not pass
-/// through their C frames, so they are left by longjmp, and the exception is thrown on our side.
+/// Error handling for libjpeg and libpng, whose error callbacks must not return. Exceptions must not pass through their
+/// C frames, so longjmp leaves those frames, and our side throws the exception.
 namespace R2 {
 
-/// Where to continue after an error, and the library's message.
+/// The point where execution continues after an error, and the library's message.
 struct Jump {
   std::jmp_buf place;
   char message[256] = "";
 
-  /// For the library's error callback. Nothing between here and Completes may have a destructor.
+  /// Called from the library's error callback. No object with a destructor may live between here and Completes.
   [[noreturn]] void Leave(const char* why) {
     std::strncpy(message, why, sizeof(message) - 1);
     std::longjmp(place, 1);
   }
 };
 
-/// Whether `call`, which may only call the library, ran to its end. A jump skips destructors; `call` itself has
-/// none, and must not make objects that do.
+/// Returns true if `call`, which may only call the library, ran to its end. A jump skips destructors, so `call` must
+/// neither have one nor create objects that do.
 template <typename Call>
 bool Completes(Jump& jump, const Call& call) {
   static_assert(std::is_trivially_destructible_v<Call>);
@@ -32,8 +32,8 @@ bool Completes(Jump& jump, const Call& call) {
   return true;
 }
 
-/// Adds bytes at the end, for callbacks that a C library calls. False when memory ran out, since bad_alloc must not
-/// reach the library either.
+/// Appends bytes, for callbacks from a C library. Returns false if memory ran out, since bad_alloc must not reach the
+/// library either.
 inline bool Append(std::vector<unsigned char>& bytes, const unsigned char* more, std::size_t count) noexcept {
   try {
     bytes.insert(bytes.end(), more, more + count);

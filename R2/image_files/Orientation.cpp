@@ -11,14 +11,14 @@ namespace R2 {
 
 namespace {
 
-/// Numbers of a TIFF file, in the byte order that it states. Places beyond its end have none.
+/// A reader of the numbers of a TIFF file, in the byte order that it states.
 class TiffNumbers {
  public:
   explicit TiffNumbers(std::span<const unsigned char> bytes) : bytes_(bytes), is_big_(Starts("MM")) {}
 
   bool IsTiff() const { return (Starts("II") || Starts("MM")) && At(2, 2) == 42u; }
 
-  /// The number of `count` bytes at `place`.
+  /// Returns the number of `count` bytes at `place`; std::nullopt beyond the end.
   std::optional<std::uint32_t> At(std::uint64_t place, unsigned count) const {
     if (place > bytes_.size() || count > bytes_.size() - place) return {};
     std::uint32_t number = 0;
@@ -36,7 +36,7 @@ class TiffNumbers {
   bool is_big_;
 };
 
-/// The value of the orientation in the first directory, whose entries are tag, type, count and value.
+/// Returns the value of the orientation in the first directory, whose entries are tag, type, count and value.
 std::optional<std::uint32_t> OrientationNumber(const TiffNumbers& tiff) {
   constexpr std::uint32_t orientation_tag = 0x112, short_type = 3, entry_bytes = 12;
   if (!tiff.IsTiff()) return {};
@@ -54,8 +54,8 @@ std::optional<std::uint32_t> OrientationNumber(const TiffNumbers& tiff) {
 }  // namespace
 
 Orientation ExifOrientation(std::span<const unsigned char> exif) {
-  // Where row 0 and column 0 lie: top left, top right, bottom right, bottom left, and with rows for columns left top,
-  // right top, right bottom, left bottom.
+  // The position of row 0 and column 0: top left, top right, bottom right, bottom left, and with rows and columns
+  // swapped left top, right top, right bottom, left bottom.
   constexpr std::array<Orientation, 8> orientations{{{},
                                                      {false, true, false},
                                                      {false, true, true},

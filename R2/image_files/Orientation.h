@@ -6,24 +6,24 @@
 
 namespace R2 {
 
-/// How the rows that a file stores lie in the picture. As a rule the first one is the top row, from the left.
+/// The orientation of the stored rows in the image. By default the first stored row is the top row, from left to right.
 struct Orientation {
   bool rows_are_columns = false;
-  bool from_right = false;   // the first column of the picture that is stored is the rightmost one
-  bool from_bottom = false;  // the first row of the picture that is stored is the lowest one
+  bool from_right = false;   // the first stored column is the rightmost of the image
+  bool from_bottom = false;  // the first stored row is the bottom row of the image
 
   friend bool operator==(const Orientation&, const Orientation&) = default;
 };
 
-/// What the orientation of a block of EXIF asks for. One that lacks it, or is damaged, asks for nothing: no viewer
-/// refuses a picture for that.
+/// Returns the orientation stored in an EXIF block; the default if it is missing or damaged, because no viewer rejects
+/// an image for that.
 /// source   CIPA DC-008 (2012), Exif 2.3, section 4.6.4; TIFF 6.0 (1992), sections 2 and 8
 Orientation ExifOrientation(std::span<const unsigned char> exif);
 
-/// The size of a picture that is stored with `size.width` pixels a row.
+/// Returns the size of an image that is stored with `size.width` pixels per row.
 ImageSize Turned(ImageSize size, const Orientation& orientation);
 
-/// Turns an image whose rows are those that the file stores, from the top.
+/// Reorients an image whose rows are in stored order, from the top.
 void Turn(DecodedImage& decoded, const Orientation& orientation);
 
 }  // namespace R2

@@ -6,14 +6,14 @@ namespace R2 {
 
 namespace {
 
-/// Keywords are 1 to 79 printable characters, with single spaces inside only.
+/// Returns true if the key is a keyword: 1 to 79 printable characters, with single spaces inside only.
 bool IsKeyword(const std::string& key) {
   if (key.empty() || key.size() > 79 || key.front() == ' ' || key.back() == ' ') return false;
   const auto is_printable = [](char c) { return c >= ' ' && c <= '~'; };
   return std::all_of(key.begin(), key.end(), is_printable) && key.find("  ") == std::string::npos;
 }
 
-/// A zero byte would end the text.
+/// Removes zero bytes, which would end the text.
 std::string WithoutZeros(std::string text) {
   std::replace(text.begin(), text.end(), '\0', ' ');
   return text;

@@ -5,13 +5,14 @@
 
 #include "R2/ImageFile.h"
 
-/// What the text chunks of PNG can hold.
+/// Conversions for the text chunks of PNG.
 namespace R2 {
 
-/// Turns Latin-1, which plain text chunks are in, into UTF-8.
+/// Converts Latin-1, the encoding of plain text chunks, to UTF-8.
 std::string Utf8OfLatin1(std::string_view text);
 
-/// The settings as a PNG file can hold them: a key that is no keyword stands before its value in a comment.
+/// Returns the settings in a form that PNG can store: a key that is not a valid keyword is written before its value in
+/// a comment.
 ImageSettings WritableAsPng(const ImageSettings& settings);
 
 }  // namespace R2

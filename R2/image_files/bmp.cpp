@@ -21,7 +21,7 @@ ImageSize ReadSize(std::span<const unsigned char> bytes) { return ReadHeader(byt
 
 Color FromBlueGreenRed(std::span<const unsigned char> b) { return {b[2] / 255.0, b[1] / 255.0, b[0] / 255.0}; }
 
-/// The palette as colors.
+/// Returns the palette as colors.
 std::vector<Color> ColorsOf(const Header& header) {
   std::vector<Color> colors;
   for (auto rest = header.palette; !rest.empty(); rest = rest.subspan(header.palette_entry))
@@ -29,29 +29,29 @@ std::vector<Color> ColorsOf(const Header& header) {
   return colors;
 }
 
-/// Where a row of the file is in the picture.
-int PictureRow(const Header& header, int row) { return header.is_top_down ? header.size.height - 1 - row : row; }
+/// Returns the image row of a row in the file.
+int ImageRow(const Header& header, int row) { return header.is_top_down ? header.size.height - 1 - row : row; }
 
 const Color& ColorAt(const std::vector<Color>& colors, unsigned place) {
   if (place >= colors.size()) throw ImageError("BMP has a pixel that is not in its palette");
   return colors[place];
 }
 
-/// The number of `bits` bits, 1 to 8, at `x`; the first is in the highest bits.
+/// Returns the `bits`-bit number, 1 to 8 bits, at `x`; the first is in the highest bits.
 unsigned PlaceAt(std::span<const unsigned char> row, int x, int bits) {
   const std::size_t bit = static_cast<std::size_t>(x) * static_cast<std::size_t>(bits);
   const int shift = 8 - bits - static_cast<int>(bit % 8);
   return static_cast<unsigned>(row[bit / 8] >> shift) & ((1u << bits) - 1);
 }
 
-/// What is known of the alpha of the pixels so far.
+/// The range of the alpha values seen so far.
 struct AlphaRange {
   double least = 1, most = 0;
   void Add(double alpha) {
     least = std::min(least, alpha);
     most = std::max(most, alpha);
   }
-  /// Writers that know nothing of alpha leave all of it at zero.
+  /// Returns true if alpha is meant: writers that do not know alpha set all of it to zero.
   bool IsTransparent() const { return least < 1 && most > 0; }
 };
 
@@ -71,7 +71,7 @@ void SetRowOfFields(Image& image, int y, std::span<const unsigned char> row, con
   }
 }
 
-/// Three or four bytes a pixel, of which the fourth is unused.
+/// Sets a row of pixels with three or four bytes, the fourth of which is unused.
 void SetRowOfBytes(Image& image, int y, std::span<const unsigned char> row, std::size_t pixel_size) {
   for (int x = 0; x < image.Width(); ++x)
     image.Set(x, y, FromBlueGreenRed(row.subspan(static_cast<std::size_t>(x) * pixel_size, pixel_size)));
@@ -84,7 +84,7 @@ DecodedImage DecodeRunLengths(std::span<const unsigned char> pixels, const Heade
   auto place = read.places.begin();
   for (int row = 0; row < header.size.height; ++row)
     for (int x = 0; x < header.size.width; ++x)
-      decoded.image.Set(x, PictureRow(header, row), ColorAt(colors, *place++));
+      decoded.image.Set(x, ImageRow(header, row), ColorAt(colors, *place++));
   decoded.warnings = read.warnings;
   WarnOfBytesBehind(decoded, "BMP", read.bytes_behind);
   return decoded;
@@ -100,7 +100,7 @@ DecodedImage DecodeRows(std::span<const unsigned char> pixels, const Header& hea
   const auto stride = static_cast<std::size_t>(header.RowStride()),
              length = static_cast<std::size_t>(header.RowBytes());
   for (int row = 0; row < image.Height(); ++row) {
-    const int y = PictureRow(header, row);
+    const int y = ImageRow(header, row);
     const auto line = pixels.subspan(static_cast<std::size_t>(row) * stride, length);
     if (is_bytes)
       SetRowOfBytes(image, y, line, static_cast<std::size_t>(header.bits / 8));
@@ -120,7 +120,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   const Header header = ReadHeader(bytes);
   ByteReader reader("BMP", bytes);
   reader.Take(header.pixels_start, "what comes before the pixels");
-  // The last row may lack the bytes that only fill it up.
+  // The last row may lack its padding.
   if (!header.is_run_length)
     reader.Need(header.RowStride() * static_cast<unsigned>(header.size.height - 1) + header.RowBytes(), "the image");
   DecodedImage decoded =
@@ -137,11 +137,11 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
   constexpr std::uint32_t file_header_bytes = 14, info_header_bytes = 40;
   Header header;
   header.size = {image.Width(), image.Height()};
-  // With the filling of its row a pixel takes at most 4 bytes, and max_pixels of them far less than the 2^32 bytes
-  // that the header can name.
+  // With padding, a pixel takes at most 4 bytes, so max_pixels of them take far less than the 2^32 bytes that the
+  // header can express.
   const auto raster_size = static_cast<std::uint32_t>(header.RowStride() * static_cast<std::uint64_t>(image.Height()));
   constexpr std::uint32_t pixels_offset = file_header_bytes + info_header_bytes;
-  constexpr std::uint32_t dots_per_metre = 2835;  // 72 an inch; readers want a number, nobody looks at it
+  constexpr std::uint32_t dots_per_metre = 2835;  // 72 per inch; readers expect a number but ignore it
 
   std::vector<unsigned char> bytes{'B', 'M'};
   bytes.reserve(pixels_offset + raster_size);
@@ -158,7 +158,7 @@ std::vector<unsigned char> Encode(const Image& image, const ImageEncoding& encod
   AppendLittle(bytes, dots_per_metre, 4);
   AppendLittle(bytes, dots_per_metre, 4);
   AppendLittle(bytes, 0, 4);  // no palette
-  AppendLittle(bytes, 0, 4);  // every color matters
+  AppendLittle(bytes, 0, 4);  // all colors are important
 
   for (int y = 0; y < image.Height(); ++y) {
     const auto row = ByteRow(image, y, encoding);

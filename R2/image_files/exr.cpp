@@ -1,4 +1,4 @@
-// Without its table of all halves, which is copied when the program starts: 256 KiB for those who read no such file.
+// Omits the table of all halves, 256 KiB that would be copied at every program start.
 #define IMATH_HALF_NO_LOOKUP_TABLE
 #include <ImathBox.h>
 #include <ImathVec.h>
@@ -26,18 +26,18 @@
 #include "R2/image_files/formats.h"
 
 // OpenEXR through its library: channels R G B, Y RY BY for luminance and chroma, or Y for gray, of a single flat part,
-// of any pixel type, in scan lines or tiles. The image is the display window: black where the data window holds none of
-// it; what is stored beyond it, and alpha, are left out. Written as float scan lines, ZIP compressed. Settings live in
-// string attributes. source: Kainz, Bogart, Stanczyk, Hillman, Technical Introduction to OpenEXR (2013); OpenEXR File
-// Layout (2013)
+// of any pixel type, in scan lines or tiles. The image is the display window: black where the data window does not
+// cover it; stored pixels outside of it are skipped, and so is alpha. Written as float scan lines, ZIP compressed.
+// Settings are stored in string attributes.
+// source: Kainz, Bogart, Stanczyk, Hillman, Technical Introduction to OpenEXR (2013); OpenEXR File Layout (2013)
 namespace R2 {
 
 namespace exr {
 namespace {
 
-// Set before our own keys, since a bare "channels" or "type" would be taken for the format's own attribute.
+// Prepended to our own keys, since a bare "channels" or "type" would be taken for the format's own attribute.
 constexpr std::string_view settings_prefix = "raypro:";
-constexpr std::size_t longest_name = 255;  // what the format allows
+constexpr std::size_t longest_name = 255;  // the format's limit
 
 bool Recognizes(std::span<const unsigned char> bytes) {
   constexpr std::array<unsigned char, 4> magic{0x76, 0x2f, 0x31, 0x01};
@@ -46,7 +46,7 @@ bool Recognizes(std::span<const unsigned char> bytes) {
 
 ImageSize ReadSize(std::span<const unsigned char> bytes) { return ReadExrLayout(bytes).display.size; }
 
-/// The bytes of a file, for the library.
+/// The bytes of a file as a stream for the library.
 class InputStream : public Imf::IStream {
  public:
   explicit InputStream(std::span<const unsigned char> bytes) : IStream("the image"), bytes_(bytes) {}
@@ -89,20 +89,21 @@ class OutputStream : public Imf::OStream {
 constexpr std::array color_channels{"R", "G", "B"}, chroma_channels{"RY", "Y", "BY"};
 constexpr std::array gray_channel{"Y"};
 
-/// Adds one row of r g b floats, whose first pixel is at x = `x_min`, to the library's frame for any y. One channel
-/// alone takes the place of r.
+/// Adds one row of r g b floats, whose first pixel is at x = `x_min`, to the library's frame for any y. A single
+/// channel takes the place of r.
 template <typename Names>
 void AddToFrame(Imf::FrameBuffer& frame, std::vector<float>& row, int x_min, const Names& channels) {
   constexpr std::size_t pixel_bytes = 3 * sizeof(float);
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    // The library adds x * pixel_bytes again. As integers, because x_min pixels before the row there is no memory.
+    // The library adds x * pixel_bytes again. Computed as integers, because the address x_min pixels before the row is
+    // not valid memory.
     const auto address = reinterpret_cast<std::intptr_t>(row.data() + i) -
                          static_cast<std::intptr_t>(x_min) * static_cast<std::intptr_t>(pixel_bytes);
     frame.insert(channels[i], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(address), pixel_bytes, 0));
   }
 }
 
-/// Attribute names in the library's messages come from the file, and may be anything.
+/// Makes text of the library printable: attribute names in its messages come from the file, and may contain anything.
 std::string Printable(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
@@ -121,7 +122,7 @@ ImageSettings SettingsOf(const Imf::Header& header) {
   return settings;
 }
 
-/// The rows and columns that both windows have.
+/// Returns the intersection of two windows.
 ExrWindow InBoth(const ExrWindow& a, const ExrWindow& b) {
   ExrWindow both{std::max(a.left, b.left), std::max(a.top, b.top), {}};
   both.size.width = static_cast<int>(std::max<std::int64_t>(0, std::min(a.Right(), b.Right()) - both.left));
@@ -129,7 +130,7 @@ ExrWindow InBoth(const ExrWindow& a, const ExrWindow& b) {
   return both;
 }
 
-/// The names of the channels, up to a few.
+/// Returns the names of the first few channels.
 std::string NamesOf(const Imf::ChannelList& channels) {
   constexpr int most_names = 6;
   std::string names;
@@ -139,7 +140,8 @@ std::string NamesOf(const Imf::ChannelList& channels) {
   return names + (count > most_names ? " and " + std::to_string(count - most_names) + " more" : "");
 }
 
-/// The channels that make r, g and b; one alone is gray. Luminance with chroma is left for ConvertChroma.
+/// Returns the channels to use as r, g and b; a single one gives gray. Luminance with chroma is converted by
+/// ConvertChroma.
 std::span<const char* const> ChannelsToRead(const Imf::ChannelList& channels) {
   const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };
   if (std::ranges::all_of(color_channels, has)) return color_channels;
@@ -148,20 +150,20 @@ std::span<const char* const> ChannelsToRead(const Imf::ChannelList& channels) {
   throw ImageError("EXR has neither the channels R, G and B nor Y; it has " + NamesOf(channels));
 }
 
-/// The display window, with the colors of those pixels that are stored.
+/// Reads the display window, with the colors of the stored pixels.
 ///   read_line   reads one line of the file
-///   color_at    the color of a pixel of the line that was read last, counted from the left end of the data window
+///   color_at    the color of a pixel of the line last read, counted from the left end of the data window
 template <typename ReadLine, typename ColorAt>
 Image ImageOfLines(const ExrLayout& layout, const ReadLine& read_line, const ColorAt& color_at) {
   const ExrWindow &data = layout.data, &display = layout.display, read = InBoth(data, display);
-  // The image is asked for only once its first row is there: the header alone may promise anything.
+  // The image is allocated only after its first row was read, since the header alone may claim any size.
   Image image;
   for (std::int64_t line = read.top; line < read.Bottom(); ++line) {
     try {
       read_line(static_cast<int>(line));
     } catch (const std::exception& error) {
       throw ImageError("EXR is truncated or damaged: " + std::to_string(line - data.top) + " of " +
-                       std::to_string(data.size.height) + " rows are there: " + Printable(error.what()));
+                       std::to_string(data.size.height) + " rows are present: " + Printable(error.what()));
     }
     if (image.Width() == 0) image = Image(display.size.width, display.size.height);
     const int y = static_cast<int>(display.Bottom() - 1 - line);
@@ -171,7 +173,7 @@ Image ImageOfLines(const ExrLayout& layout, const ReadLine& read_line, const Col
   return image.Width() > 0 ? std::move(image) : Image(display.size.width, display.size.height);
 }
 
-/// Up to three channels as r, g and b; one alone is gray.
+/// Adds up to three channels as r, g and b; a single one gives gray.
 template <typename Names>
 Image ReadPixels(Imf::InputFile& file, const ExrLayout& layout, const Names& channels) {
   const bool is_gray = channels.size() == 1, has_blue = channels.size() > 2;
@@ -187,7 +189,7 @@ Image ReadPixels(Imf::InputFile& file, const ExrLayout& layout, const Names& cha
       });
 }
 
-/// Whether chroma has a sample for every `step` pixels in every `step` rows.
+/// Returns true if chroma has one sample per `step` pixels in every `step`-th row.
 bool HasChromaOf(const Imf::ChannelList& channels, int step) {
   return std::ranges::all_of(std::array{"RY", "BY"}, [&](const char* name) {
     const Imf::Channel& channel = *channels.findChannel(name);
@@ -199,8 +201,8 @@ Imf::Chromaticities ChromaticitiesOf(const Imf::Header& header) {
   return Imf::hasChromaticities(header) ? Imf::chromaticities(header) : Imf::Chromaticities();
 }
 
-/// Turns luminance Y and chroma, RY = (R - Y) / Y and BY = (B - Y) / Y, which an image holds as its r, g and b in the
-/// order RY, Y, BY, into colors. The weights of luminance are those of the file's primaries.
+/// Converts luminance Y and chroma, RY = (R - Y) / Y and BY = (B - Y) / Y, which the image stores as r, g and b in the
+/// order RY, Y, BY, to colors. The weights of luminance are those of the file's primaries.
 void ConvertChroma(Image& image, const Imf::Header& header) {
   const Imath::V3f weights = Imf::RgbaYca::computeYw(ChromaticitiesOf(header));
   for (int y = 0; y < image.Height(); ++y)
@@ -211,13 +213,13 @@ void ConvertChroma(Image& image, const Imf::Header& header) {
     }
 }
 
-/// Chroma for every second pixel of every second row, filtered as the library does for everybody. It computes with
-/// halves, which such pictures consist of.
+/// Reads chroma sampled at every second pixel of every second row, filtered as by the library's own readers. It
+/// computes with halves, which such images consist of.
 Image ReadSampledChroma(std::span<const unsigned char> bytes, const ExrLayout& layout) {
   InputStream stream(bytes);
   Imf::RgbaInputFile file(stream, 0);
   std::vector<Imf::Rgba> row(static_cast<std::size_t>(layout.data.size.width));
-  // The address of the pixel at x = 0, where there is no memory; see AddToFrame.
+  // The address of the pixel at x = 0, which is not valid memory; see AddToFrame.
   const auto address = reinterpret_cast<std::intptr_t>(row.data()) -
                        static_cast<std::intptr_t>(layout.data.left) * static_cast<std::intptr_t>(sizeof(Imf::Rgba));
   file.setFrameBuffer(reinterpret_cast<Imf::Rgba*>(address), 1, 0);
@@ -242,7 +244,7 @@ Image ReadColors(Imf::InputFile& file, std::span<const unsigned char> bytes, con
   return image;
 }
 
-/// Names a compression that this library is too old for.
+/// Rejects a compression that this version of the library does not know, by name.
 void RefuseUnknownCompression(int compression) {
   if (compression < Imf::NUM_COMPRESSION_METHODS) return;
   constexpr int first_name = 10;
@@ -254,10 +256,10 @@ void RefuseUnknownCompression(int compression) {
                    ", does not know; save it with another, such as ZIP");
 }
 
-/// Primaries other than those of sRGB, which is what every other picture has.
+/// Returns true if the file states primaries other than those of sRGB, which all other images have.
 bool HasOtherPrimaries(const Imf::Header& header) {
   if (!Imf::hasChromaticities(header)) return false;
-  constexpr float rounding = 0.0006f;  // of the three digits that are written
+  constexpr float rounding = 0.0006f;  // of the three digits that files contain
   const Imf::Chromaticities usual, stated = Imf::chromaticities(header);
   const auto are_near = [&](const Imath::V2f& a, const Imath::V2f& b) {
     return std::abs(a.x - b.x) < rounding && std::abs(a.y - b.y) < rounding;
@@ -266,7 +268,7 @@ bool HasOtherPrimaries(const Imf::Header& header) {
          !are_near(stated.blue, usual.blue) || !are_near(stated.white, usual.white);
 }
 
-/// Opens the file, and words what the library says of it.
+/// Opens the file, and rewords the library's errors.
 ///   read   Imf::InputFile&, DecodedImage&: fills in the image
 template <typename Read>
 DecodedImage DecodeWith(std::span<const unsigned char> bytes, const ExrLayout& layout, const Read& read) {
@@ -274,7 +276,7 @@ DecodedImage DecodeWith(std::span<const unsigned char> bytes, const ExrLayout& l
   const std::uint64_t end = CheckExrBlocks(bytes, layout);
   try {
     InputStream stream(bytes);
-    Imf::InputFile file(stream, 0);  // no threads of the library's own
+    Imf::InputFile file(stream, 0);  // no library threads
     DecodedImage decoded;
     decoded.settings = SettingsOf(file.header());
     read(file, decoded);
@@ -295,7 +297,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
     decoded.image = ReadColors(file, bytes, layout);
     if (HasOtherPrimaries(file.header()))
       decoded.warnings.push_back(
-          "EXR states chromaticities of its own; its colors are taken as sRGB's, without the curve");
+          "EXR states its own chromaticities; its colors are interpreted as linear sRGB");
   });
 }
 
@@ -310,7 +312,7 @@ ImageChannels ReadChannelNames(std::span<const unsigned char> bytes) {
   return all;
 }
 
-/// Whole numbers beyond 2^24 are not all floats.
+/// Warns of integers beyond 2^24, not all of which are floats.
 void WarnOfRoundedNumbers(DecodedImage& decoded) {
   constexpr float first_rounded = 16'777'216;
   if (std::ranges::any_of(decoded.image.Channels(), [](float number) { return number >= first_rounded; }))
@@ -335,7 +337,8 @@ DecodedImage DecodeChannels(std::span<const unsigned char> bytes, std::span<cons
   });
 }
 
-/// Reads the header alone: a file that is opened by the library gets room for rows as wide as the header promises.
+/// Reads the settings from the header alone: opening the file by the library would allocate rows as wide as the header
+/// claims.
 ImageSettings ReadSettings(std::span<const unsigned char> bytes) {
   constexpr std::uint64_t behind_version = 8;
   ReadExrLayout(bytes);

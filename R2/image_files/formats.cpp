@@ -6,12 +6,12 @@ namespace R2 {
 
 ImageSize CheckedSize(const char* kind, std::int64_t width, std::int64_t height) {
   const auto promise = [&] {
-    return std::string(kind) + " promises " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
+    return std::string(kind) + " states " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
   };
-  if (width < 1 || height < 1) throw ImageError(promise() + ", but has to have at least one");
+  if (width < 1 || height < 1) throw ImageError(promise() + "; at least one is required");
   // A quotient, because the product of two sides may overflow.
   if (width > max_pixels / height) {
-    throw ImageError(promise() + ", more than the limit of " + std::to_string(max_pixels));
+    throw ImageError(promise() + ", above the limit of " + std::to_string(max_pixels));
   }
   return {static_cast<int>(width), static_cast<int>(height)};
 }

@@ -9,10 +9,10 @@
 #include "R2/image_files/Orientation.h"
 #include "R2/image_files/formats.h"
 
-// Radiance pictures: linear light, three mantissas of 8 bits and the exponent of the largest, run-length encoded.
+// Radiance images: linear light, three mantissas of 8 bits and the exponent of the largest, run-length encoded.
 // source: Ward, Real Pixels (1991), Graphics Gems II, ch. II.5; Ward, Radiance File Formats, "Picture File Format", for
 //         the header; Radiance's src/common/color.c for the two run-length encodings. A mantissa m means m/256 exactly,
-//         as in most readers today; Radiance itself adds half a step, because it cuts off when it writes, where we
+//         as in most readers today; Radiance itself adds half a step, because it truncates when it writes, where we
 //         round.
 namespace R2 {
 
@@ -21,7 +21,7 @@ namespace {
 
 using Pixel = std::array<unsigned char, 4>;  // mantissas of r g b, exponent + 128
 
-// The newer run-length encoding knows only these widths.
+// The widths that the newer run-length encoding supports.
 constexpr int least_encoded_width = 8, most_encoded_width = 32767;
 
 bool CanBeEncoded(int width) { return width >= least_encoded_width && width <= most_encoded_width; }
@@ -32,13 +32,13 @@ Color FromPixel(const Pixel& pixel) {
   return {pixel[0] * step, pixel[1] * step, pixel[2] * step};
 }
 
-/// What the kind can hold: nothing below zero (NaN becomes zero too), nothing beyond the largest exponent.
+/// Clamps a channel to the format's range: at least 0 (NaN becomes 0 too), at most the largest exponent.
 double Storable(double channel) {
   const double largest = std::ldexp(255.0, 255 - (128 + 8));
   return channel > 0 ? std::min(channel, largest) : 0;
 }
 
-/// Accuracy: each channel within half a step, 1/256 of the largest channel. Below 2^-128 all is black.
+/// Encodes a color. Accuracy: each channel within half a step, 1/256 of the largest channel. Below 2^-128 all is black.
 Pixel ToPixel(const Color& color) {
   const double r = Storable(color.r), g = Storable(color.g), b = Storable(color.b);
   const double largest = std::max({r, g, b});
@@ -56,25 +56,25 @@ bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= 2 && bytes[0] == '#' && bytes[1] == '?';
 }
 
-/// What the header says, as far as it matters here.
+/// The relevant parts of the header.
 struct Header {
   ImageSize stored;  // the width is that of a scan line
   Orientation orientation;
-  ImageSettings settings;  // lines of "name=value"; of a name that comes again the last one
-  // Factors that stand for all lines of a name.
+  ImageSettings settings;  // lines of "name=value"; the last one of each name
+  // The products of the factors on all lines of a name.
   double exposure = 1, pixel_aspect = 1;
   std::array<double, 3> color_correction{1, 1, 1};
   bool has_other_primaries = false;
 };
 
-/// A line without its end, which is CR LF where a writer on Windows took the file for text.
+/// Reads a line without its end, which is CR LF if a writer on Windows used text mode.
 std::string_view ReadLine(ByteReader& reader, const char* what) {
   std::string_view line = reader.Until('\n', what);
   if (line.ends_with('\r')) line.remove_suffix(1);
   return line;
 }
 
-/// The numbers of a text, separated by blanks, up to `count` of them and up to the first that is none.
+/// Returns the numbers of a text, separated by blanks: up to `count` of them, up to the first that is not a number.
 std::vector<double> Numbers(std::string_view text, std::size_t count) {
   std::vector<double> numbers;
   while (numbers.size() < count) {
@@ -88,18 +88,19 @@ std::vector<double> Numbers(std::string_view text, std::size_t count) {
   return numbers;
 }
 
-/// A factor that a line states; 1 where it states none that can be one.
+/// Returns the factor on a line; 1 if the line contains no valid factor.
 double Factor(std::string_view value) {
   const std::vector<double> numbers = Numbers(value, 1);
   return !numbers.empty() && numbers[0] > 0 && std::isfinite(numbers[0]) ? numbers[0] : 1;
 }
 
-/// Whether chromaticities are neither those of Radiance, which a picture without them has, nor those of sRGB.
+/// Returns true if chromaticities are neither those of Radiance, which images without the entry have, nor those of
+/// sRGB.
 bool AreOtherPrimaries(std::string_view value) {
   using Chromaticities = std::array<double, 8>;  // x and y of red, green, blue and white
   constexpr Chromaticities radiance{0.64, 0.33, 0.29, 0.6, 0.15, 0.06, 1 / 3.0, 1 / 3.0};
   constexpr Chromaticities srgb{0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329};
-  constexpr double rounding = 0.0006;  // of the three digits that are written
+  constexpr double rounding = 0.0006;  // of the three digits that files contain
   const std::vector<double> stated = Numbers(value, radiance.size());
   const auto is_near = [](double a, double b) { return std::abs(a - b) < rounding; };
   return std::ranges::none_of(std::array{radiance, srgb}, [&](const Chromaticities& known) {
@@ -141,7 +142,7 @@ Axis ReadAxis(const ByteReader& reader, std::string_view sign_and_name, std::str
   return axis;
 }
 
-/// "-Y 480 +X 640" as a rule: 480 scan lines from the top down, of 640 pixels from left to right.
+/// Reads the resolution, usually "-Y 480 +X 640": 480 scan lines from the top down, of 640 pixels from left to right.
 void ReadResolution(ByteReader& reader, Header& header) {
   std::string_view line = ReadLine(reader, "the resolution");
   std::array<std::string_view, 4> words;
@@ -157,7 +158,7 @@ void ReadResolution(ByteReader& reader, Header& header) {
   header.stored = CheckedSize("HDR", fast.length, slow.length);
 }
 
-/// Lines of "name=value" up to an empty one, then the resolution.
+/// Reads lines of "name=value" up to an empty one, then the resolution.
 Header ReadHeader(ByteReader& reader) {
   Header header;
   ReadLine(reader, "the first line");
@@ -170,15 +171,15 @@ Header ReadHeader(ByteReader& reader) {
   return header;
 }
 
-/// A number for people, in up to six digits.
+/// Formats a number in up to six digits for messages.
 std::string Text(double number) {
   std::array<char, 32> text{};
   return {text.data(),
           std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 6).ptr};
 }
 
-/// What the header says about the values, unless it changes nothing. The values themselves stay as they are stored, as
-/// all readers of textures have it.
+/// Returns warnings about entries of the header that affect the values. The values themselves stay as stored, as in all
+/// readers of textures.
 std::vector<std::string> Warnings(const Header& header) {
   std::vector<std::string> warnings;
   if (header.exposure != 1)
@@ -207,8 +208,8 @@ Pixel ReadPixel(ByteReader& reader) {
   return {b[0], b[1], b[2], b[3]};
 }
 
-/// Plain pixels from `first` on; one with mantissas 1 1 1 repeats the pixel before it, and several of them in a row
-/// are the bytes of a longer count.
+/// Reads plain pixels, starting with `first`. One with mantissas 1 1 1 repeats the pixel before it; several of them in
+/// a row are the bytes of a longer count.
 std::vector<Pixel> ReadOldRow(ByteReader& reader, Pixel first, std::size_t width) {
   std::vector<Pixel> row;
   int shift = 0;
@@ -227,7 +228,7 @@ std::vector<Pixel> ReadOldRow(ByteReader& reader, Pixel first, std::size_t width
   }
 }
 
-/// The four bytes of all pixels one after another, each as runs (count + 128, value) and stretches (count, values).
+/// Reads the four bytes of all pixels in turn, each as runs (count + 128, value) and stretches (count, values).
 std::vector<Pixel> ReadEncodedRow(ByteReader& reader, std::size_t width) {
   std::vector<Pixel> row(width);
   for (std::size_t part = 0; part < 4; ++part) {
@@ -255,8 +256,8 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   ByteReader reader("HDR", bytes);
   Header header = ReadHeader(reader);
   const ImageSize size = header.stored;
-  // A run may stand for many pixels, yet no row takes less than one pixel's bytes. The picture is asked for only
-  // once its first row is there, so that wide ones have shown their bytes too.
+  // A run may stand for many pixels, but no row takes less than one pixel's bytes. The image is allocated only after
+  // its first row was read, so that wide ones have proven their bytes too.
   reader.Need(std::uint64_t{4} * static_cast<unsigned>(size.height), "the image");
   Image image;
   for (int y = size.height - 1; y >= 0; --y) {
@@ -272,7 +273,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   return decoded;
 }
 
-/// How many equal bytes start at `x`, 127 at most.
+/// Returns the number of equal bytes from `x` on, at most 127.
 std::size_t RunLength(std::span<const unsigned char> bytes, std::size_t x) {
   std::size_t end = x + 1;
   while (end < bytes.size() && end - x < 127 && bytes[end] == bytes[x]) ++end;
@@ -280,7 +281,7 @@ std::size_t RunLength(std::span<const unsigned char> bytes, std::size_t x) {
 }
 
 void AppendRuns(std::vector<unsigned char>& out, std::span<const unsigned char> bytes) {
-  constexpr std::size_t worthwhile = 4;  // a shorter run costs as much as it saves when it cuts a stretch in two
+  constexpr std::size_t worthwhile = 4;  // a shorter run that splits a stretch costs as much as it saves
   for (std::size_t x = 0; x < bytes.size();) {
     const std::size_t run = RunLength(bytes, x);
     if (run >= worthwhile) {
@@ -301,7 +302,7 @@ void AppendRuns(std::vector<unsigned char>& out, std::span<const unsigned char> 
 void AppendRow(std::vector<unsigned char>& out, const std::vector<Pixel>& row) {
   const int width = static_cast<int>(row.size());
   if (!CanBeEncoded(width)) {
-    // Plain pixels. None looks like a run: the largest mantissa of a color is at least 128.
+    // Plain pixels. None looks like a run, since the largest mantissa of a color is at least 128.
     for (const Pixel& pixel : row) out.insert(out.end(), pixel.begin(), pixel.end());
     return;
   }

@@ -1,6 +1,6 @@
 #include <cstdint>
 #include <cstdio>
-// After cstdio, whose FILE it takes for granted.
+// After cstdio, because jerror.h needs FILE.
 #include <jerror.h>
 #include <jpeglib.h>
 
@@ -14,33 +14,33 @@
 #include "R2/image_files/Orientation.h"
 #include "R2/image_files/formats.h"
 
-// JPEG through libjpeg. Settings live in the comment marker, a line of "key: value" each.
+// JPEG through libjpeg. Settings are stored in the comment marker, one line of "key: value" each.
 // source: ITU-T T.81 (1992); libjpeg.txt of the library
 namespace R2 {
 
 namespace jpeg {
 namespace {
 
-constexpr std::size_t marker_capacity = 65533;  // a marker's length has 16 bits and counts itself
+constexpr std::size_t marker_capacity = 65533;  // a marker's length has 16 bits and includes itself
 // Up to this many pixels, Huffman tables are optimized for the image: the same pixels in 3 to 10 % fewer bytes (the
-// pictures of art/ at quality 88), or a quarter fewer where most is even. For that libjpeg keeps all coefficients, 6
-// bytes per pixel, here 384 MiB.
+// images of art/ at quality 88), or a quarter fewer for mostly uniform images. For that, libjpeg keeps all
+// coefficients, 6 bytes per pixel, here 384 MiB.
 constexpr std::int64_t most_to_optimize = std::int64_t{1} << 26;
-// Every 8 by 8 pixels take a bit at least.
+// Every block of 8 by 8 pixels takes at least one bit.
 constexpr std::uint64_t most_pixels_per_byte = 8 * 64;
 
-/// The library's warnings about a picture that is read all the same. Nothing here allocates, since the library calls.
+/// The library's warnings about an image that can still be read. Nothing here allocates, since the library calls it.
 struct Warnings {
-  bool are_errors = false;               // nothing is passed over
-  bool is_damaged = false;               // pixels may be wrong; otherwise the file is unusual only
+  bool are_errors = false;               // warnings are errors
+  bool is_damaged = false;               // pixels may be wrong; otherwise the file is merely unusual
   int count = 0;                         // of all warnings
-  char first[JMSG_LENGTH_MAX + 1] = "";  // the first one, or the first of damage
+  char first[JMSG_LENGTH_MAX + 1] = "";  // the first one, or the first about damage
 };
 
 struct ErrorManager {
   jpeg_error_mgr base;  // first, so that the library's pointer to it is also a pointer to this
   Jump jump;
-  Warnings* warnings = nullptr;  // what a reader passes over; null for writers, to whom each is an error
+  Warnings* warnings = nullptr;  // the warnings that a reader ignores; null for writers, which treat each as an error
 };
 
 ErrorManager& ErrorsOf(j_common_ptr codec) { return *reinterpret_cast<ErrorManager*>(codec->err); }
@@ -52,15 +52,15 @@ Jump& JumpOf(j_common_ptr codec) { return ErrorsOf(codec).jump; }
   JumpOf(codec).Leave(message);
 }
 
-/// Whether no pixel depends on what a warning is about.
+/// Returns true if the warning affects no pixel.
 bool IsHarmless(int code) {
   constexpr std::array harmless{JWRN_ADOBE_XFORM, JWRN_EXTRANEOUS_DATA, JWRN_JFIF_MAJOR, JWRN_NOT_SEQUENTIAL,
                                 JWRN_TOO_MUCH_DATA};
   return std::ranges::find(harmless, code) != harmless.end();
 }
 
-/// Whether the data end before the picture does, so that the library would fill the rest with gray. Within a file that
-/// has restart markers, one of them ends only a stretch of the picture.
+/// Returns true if the data end before the image does, in which case the library would fill the rest with gray. In a
+/// file with restart markers, such a marker ends only a section of the image.
 bool EndsTooSoon(j_decompress_ptr codec) {
   const int code = codec->err->msg_code;
   const bool is_at_restart =
@@ -68,7 +68,7 @@ bool EndsTooSoon(j_decompress_ptr codec) {
   return code == JWRN_JPEG_EOF || ((code == JWRN_HIT_MARKER || code == JWRN_MUST_RESYNC) && !is_at_restart);
 }
 
-/// Level -1 is a warning; others are chatter.
+/// Handles a message: level -1 is a warning, all others are informational.
 void OnMessage(j_common_ptr codec, int level) {
   if (level >= 0) return;
   Warnings* const warnings = ErrorsOf(codec).warnings;
@@ -88,7 +88,7 @@ jpeg_error_mgr* Prepare(ErrorManager& errors) {
 
 // --- reading ---
 
-/// A full comment marker goes on in the next one; any other ends with a line.
+/// Returns the settings. A full comment marker continues in the next one; any other ends with a line.
 ImageSettings SettingsOf(const jpeg_decompress_struct& codec) {
   std::string text;
   for (const jpeg_marker_struct* marker = codec.marker_list; marker; marker = marker->next) {
@@ -101,7 +101,7 @@ ImageSettings SettingsOf(const jpeg_decompress_struct& codec) {
 
 constexpr int exif_marker = JPEG_APP0 + 1, profile_marker = JPEG_APP0 + 2;
 
-/// What the markers of a number hold that begin with such bytes, behind these.
+/// Returns the contents of the markers with the given number that begin with `start`, without it.
 std::vector<std::span<const unsigned char>> MarkersOf(const jpeg_decompress_struct& codec, int number,
                                                       std::string_view start) {
   std::vector<std::span<const unsigned char>> found;
@@ -113,27 +113,28 @@ std::vector<std::span<const unsigned char>> MarkersOf(const jpeg_decompress_stru
   return found;
 }
 
-/// Cameras state how they were held in a block of EXIF, of which the first counts.
+/// Returns the orientation that cameras store in an EXIF block, of which the first counts.
 Orientation OrientationOf(const jpeg_decompress_struct& codec) {
   const auto blocks = MarkersOf(codec, exif_marker, std::string_view("Exif\0\0", 6));
   return blocks.empty() ? Orientation{} : ExifOrientation(blocks[0]);
 }
 
-/// A profile may be cut in pieces. Its name stands in the first.
+/// Returns true if the file has a profile other than sRGB. A profile may be split into pieces; its name is in the
+/// first.
 bool HasOtherProfile(const jpeg_decompress_struct& codec) {
   const auto pieces = MarkersOf(codec, profile_marker, std::string_view("ICC_PROFILE\0", 12));
   return !pieces.empty() && std::ranges::none_of(pieces, IsNamedSrgb);
 }
 
-/// A progressive file may describe the picture in ever new scans; a small file with thousands of them over a large
-/// picture would take hours. Ten are usual.
+/// Stops at too many scans. A progressive file may refine the image in any number of scans; a small file with thousands
+/// of them for a large image would take hours. Ten are usual.
 void StopAtManyScans(j_common_ptr codec) {
   constexpr int most_scans = 200;
   const auto* decoder = reinterpret_cast<j_decompress_ptr>(codec);
   if (decoder->input_scan_number > most_scans) JumpOf(codec).Leave("there are more than 200 scans");
 }
 
-/// Owns the library's decoder of one picture.
+/// Owns the library's decoder of one image.
 class Decoder {
  public:
   Decoder() {
@@ -158,21 +159,21 @@ class Decoder {
     });
     if (codec_.num_components != 1 && codec_.num_components != 3 && !HasInks()) {
       throw ImageError("JPEG has " + std::to_string(codec_.num_components) +
-                       " components; 1 (gray), 3 (color) and 4 (CMYK) are read");
+                       " components; 1 (gray), 3 (color) and 4 (CMYK) are supported");
     }
-    // A file that is too small for its pixels would live from what is missing, at no cost to who wrote it.
+    // Missing data cost the file's author nothing, so a file that is too small for its pixels is rejected.
     const std::uint64_t pixels = std::uint64_t{codec_.image_width} * codec_.image_height;
     warnings_.are_errors = pixels > most_pixels_per_byte * bytes.size();
     return CheckedSize("JPEG", codec_.image_width, codec_.image_height);
   }
 
-  /// Whether pixels are cyan, magenta, yellow and black.
+  /// Returns true if pixels are cyan, magenta, yellow and black.
   bool HasInks() const { return codec_.num_components == 4; }
 
-  /// Whether the header has a color profile other than that of sRGB; to be asked for before Finish.
+  /// Returns true if the header has a color profile other than sRGB. Must be called before Finish.
   bool HasOtherColors() const { return HasOtherProfile(codec_); }
 
-  /// The orientation that the header asks for.
+  /// Returns the orientation stored in the header.
   Orientation StatedOrientation() const { return OrientationOf(codec_); }
 
   void Start() {
@@ -186,7 +187,7 @@ class Decoder {
     Do([&] { jpeg_read_scanlines(&codec_, rows, 1); });
   }
 
-  /// Settings from the comments read so far. Must be called before Finish, which drops them.
+  /// Returns the settings from the comments read so far. Must be called before Finish, which drops them.
   ImageSettings Settings() const { return SettingsOf(codec_); }
 
   /// Reads up to the end marker, so that a missing end is noticed.
@@ -194,10 +195,10 @@ class Decoder {
     Do([&] { jpeg_finish_decompress(&codec_); });
   }
 
-  /// Bytes behind the end marker, once that is read.
+  /// Returns the number of bytes after the end marker, once that was read.
   std::size_t BytesBehind() const { return codec_.src->bytes_in_buffer; }
 
-  /// Sentences about what was odd so far.
+  /// Returns sentences about all oddities so far.
   std::vector<std::string> WarningTexts() const {
     if (warnings_.count == 0) return {};
     const std::string more = warnings_.count > 1 ? " (and " + std::to_string(warnings_.count - 1) + " more)" : "";
@@ -212,7 +213,7 @@ class Decoder {
     if (Completes(errors_.jump, call)) return;
     const std::string rows = std::to_string(codec_.output_scanline) + " of " + std::to_string(codec_.image_height);
     if (errors_.base.msg_code == JWRN_JPEG_EOF || errors_.base.msg_code == JERR_INPUT_EMPTY) {
-      throw ImageError("JPEG is truncated: " + rows + " rows are there");
+      throw ImageError("JPEG is truncated: " + rows + " rows are present");
     }
     throw ImageError("JPEG is damaged or of an unknown kind, after " + rows + " rows: " + errors_.jump.message);
   }
@@ -233,7 +234,8 @@ ImageSize ReadSize(std::span<const unsigned char> bytes) {
   return Turned(stored, decoder.StatedOrientation());
 }
 
-/// One row of inks without a color profile, of which 255 is none: what everybody took over from Adobe's programs.
+/// Sets one row of CMYK inks without a color profile. 255 means no ink, a convention that all programs adopted from
+/// Adobe's.
 void SetInkRow(Image& image, int y, std::span<const unsigned char> row) {
   for (int x = 0; x < image.Width(); ++x) {
     const auto ink = row.subspan(4 * static_cast<std::size_t>(x), 4);
@@ -246,7 +248,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   Decoder decoder;
   const ImageSize size = decoder.ReadHeader(bytes);
   decoder.Start();
-  // The picture is asked for only once its first row is there: the header alone may promise anything.
+  // The image is allocated only after its first row was read, since the header alone may claim any size.
   DecodedImage decoded;
   Image& image = decoded.image;
   std::vector<unsigned char> row((decoder.HasInks() ? 4 : 3) * static_cast<std::size_t>(size.width));
@@ -265,7 +267,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   return decoded;
 }
 
-/// Comments between the scans of a progressive file are not met.
+/// Reads the settings from the header. Comments between the scans of a progressive file are missed.
 ImageSettings ReadSettings(std::span<const unsigned char> bytes) {
   Decoder decoder;
   decoder.ReadHeader(bytes);
@@ -298,7 +300,7 @@ void Flush(j_compress_ptr codec, std::size_t count) {
 
 void OnWriteStart(j_compress_ptr codec) { DestinationOf(codec).Restart(); }
 
-/// The library wants the whole block written, whatever free_in_buffer says.
+/// Called when the block is full. The library wants the whole block written, whatever free_in_buffer says.
 boolean OnBlockFull(j_compress_ptr codec) {
   Flush(codec, sizeof(Destination::block));
   return TRUE;
@@ -306,7 +308,7 @@ boolean OnBlockFull(j_compress_ptr codec) {
 
 void OnWriteEnd(j_compress_ptr codec) { Flush(codec, sizeof(Destination::block) - codec->dest->free_in_buffer); }
 
-/// Owns the library's encoder of one picture.
+/// Owns the library's encoder of one image.
 class Encoder {
  public:
   Encoder() {
@@ -330,7 +332,7 @@ class Encoder {
       codec_.in_color_space = JCS_RGB;
       jpeg_set_defaults(&codec_);
       jpeg_set_quality(&codec_, quality, TRUE);
-      // The default halves the resolution of color, which rendered edges show.
+      // The default halves the resolution of color, which is visible at rendered edges.
       codec_.comp_info[0].h_samp_factor = codec_.comp_info[0].v_samp_factor = 1;
       codec_.optimize_coding = std::int64_t{size.width} * size.height <= most_to_optimize;
       jpeg_start_compress(&codec_, TRUE);

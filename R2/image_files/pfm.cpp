@@ -78,7 +78,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   Image& image = decoded.image;
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, ReadPixel(reader, header));
-  // A unit of light, which no program agrees on.
+  // A unit of light, on which programs do not agree.
   if (header.scale != 1) decoded.warnings.push_back("PFM states a scale other than 1, which is not applied");
   WarnOfBytesBehind(decoded, "PFM", reader.Left());
   return decoded;

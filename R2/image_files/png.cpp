@@ -14,8 +14,9 @@
 #include "R2/image_files/PngText.h"
 #include "R2/image_files/formats.h"
 
-// PNG through libpng: every color type, depth and interlace is read, 8 and 16 bit color written. Alpha is dropped with
-// a warning, since a picture here has none; nothing is put behind it. Settings live in text chunks, one a key.
+// PNG through libpng: every color type, depth and interlace mode is read, 8 and 16 bit color is written. Alpha is
+// dropped with a warning, since our images have none; nothing is composited behind it. Settings are stored in text
+// chunks, one per key.
 // source: W3C, Portable Network Graphics (PNG) Specification, 2nd ed. (2003); libpng-manual.txt
 namespace R2 {
 
@@ -24,23 +25,23 @@ namespace {
 
 constexpr std::array<unsigned char, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
-// A chunk other than pixels may unpack to this, more than any command line or color profile, and so many of them are
-// kept: 64 MiB together.
+// The unpacked size limit of a chunk other than pixels, more than any command line or color profile takes, and the
+// number of chunks kept: 64 MiB in total.
 constexpr png_alloc_size_t most_chunk_bytes = png_alloc_size_t{1} << 20;
 constexpr png_uint_32 most_chunks = 64;
 
-// Renderings take .4 to .5 of the time of the library's own level 6 to be packed, and up to 6 % more bytes; below 4 the
-// sizes grow faster than the time falls.
+// Compressing renderings takes .4 to .5 of the time of the library's default level 6, and up to 6 % more bytes; below 4
+// the sizes grow faster than the time falls.
 constexpr int compression_level = 4;
 
-// Deflate makes at most 258 bytes out of two bits.
+// Deflate expands two bits to at most 258 bytes.
 constexpr std::uint64_t most_deflate_ratio = 1032;
 
 bool Recognizes(std::span<const unsigned char> bytes) {
   return bytes.size() >= signature.size() && std::equal(signature.begin(), signature.end(), bytes.begin());
 }
 
-/// The size by the header alone, before the picture is turned.
+/// Returns the size in the header, before the image is turned.
 ImageSize ReadStoredSize(std::span<const unsigned char> bytes) {
   ByteReader reader("PNG", bytes);
   reader.Take(signature.size(), "the signature");
@@ -60,7 +61,7 @@ ImageSize ReadSize(std::span<const unsigned char> bytes) {
   static_cast<Jump*>(png_get_error_ptr(png))->Leave(message);
 }
 
-/// Warnings are about chunks that the picture does not need.
+/// Ignores warnings: they are about chunks that the image does not need.
 void OnWarning(png_structp, png_const_charp) {}
 
 // --- settings ---
@@ -81,12 +82,12 @@ bool IsAscii(const std::string& text) {
 
 // --- reading ---
 
-/// What the library makes of a row: r g b, or r g b and alpha, with the high byte first.
+/// The layout of the library's rows: r g b, or r g b and alpha, with the high byte first.
 struct RowLayout {
   bool is_16_bit = false, has_alpha = false;
 };
 
-/// Owns the library's reader of one picture.
+/// Owns the library's reader of one image.
 class Reader {
  public:
   explicit Reader(std::span<const unsigned char> bytes) : rest_(bytes) {
@@ -105,8 +106,8 @@ class Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// Reads all that comes before the pixels and asks for r g b in 8 or 16 bits, whatever the file has, and for alpha
-  /// where it has some.
+  /// Reads everything before the pixels. Requests r g b in 8 or 16 bits, whatever the file has, and alpha if it has
+  /// some.
   void Start() {
     Do([&] {
       png_read_info(png_, info_);
@@ -119,13 +120,13 @@ class Reader {
     height_ = png_get_image_height(png_, info_);
   }
 
-  /// Settings from all chunks before the pixels.
+  /// Returns the settings of all chunks before the pixels.
   ImageSettings Settings() {
     Do([&] { png_read_info(png_, info_); });
     return Texts();
   }
 
-  /// Whether the file states colors other than those of sRGB, by a profile or by a gamma alone.
+  /// Returns true if the file states colors other than sRGB, by a profile or by a gamma alone.
   bool HasOtherColors() {
     png_charp name = nullptr;
     png_bytep profile = nullptr;
@@ -148,14 +149,14 @@ class Reader {
   bool IsInterlaced() const { return passes_ > 1; }
   RowLayout Layout() const { return {png_get_bit_depth(png_, info_) == 16, png_get_channels(png_, info_) == 4}; }
   std::size_t RowBytes() const { return png_get_rowbytes(png_, info_); }
-  std::size_t PackedRowBytes() const { return packed_row_bytes_; }  // as the file has them
+  std::size_t PackedRowBytes() const { return packed_row_bytes_; }  // as stored in the file
 
   void ReadRow(std::span<unsigned char> row) {
     Do([&] { png_read_row(png_, row.data(), nullptr); });
     ++rows_read_;
   }
 
-  /// All rows, for a picture whose rows come in several passes.
+  /// Reads all rows of an image whose rows come in several passes.
   std::vector<unsigned char> ReadInterlaced() {
     std::vector<unsigned char> rows(RowBytes() * height_);
     for (int pass = 0; pass < passes_; ++pass) {
@@ -166,8 +167,8 @@ class Reader {
     return rows;
   }
 
-  /// Reads up to the end, so that text behind the picture counts. Where the file merely lacks its end, the whole
-  /// picture has been read by then.
+  /// Reads up to the end, so that text after the pixels counts. If the file merely lacks its end, the whole image has
+  /// been read by then.
   ImageSettings Finish() {
     if (!Completes(jump_, [&] { png_read_end(png_, info_); }) && !is_truncated_) Refuse();
     return Texts();
@@ -196,13 +197,13 @@ class Reader {
     if (!Completes(jump_, call)) Refuse();
   }
 
-  /// Throws the ImageError that says what the library said, and how much of the picture is there.
+  /// Throws an ImageError with the library's message and the number of rows read.
   [[noreturn]] void Refuse() const {
     const std::size_t rows = is_last_pass_ || !IsInterlaced() ? rows_read_ : 0;
     const std::string there = std::to_string(rows) + " of " + std::to_string(height_) + " rows";
     if (!is_truncated_) throw ImageError("PNG is damaged" + (height_ ? ", after " + there : "") + ": " + jump_.message);
     if (height_ == 0) throw ImageError("PNG is truncated: it has no pixels");
-    throw ImageError("PNG is truncated: " + there + " are there");
+    throw ImageError("PNG is truncated: " + there + " are present");
   }
 
   std::span<const unsigned char> rest_;
@@ -214,7 +215,7 @@ class Reader {
   bool is_last_pass_ = false, is_truncated_ = false;
 };
 
-/// Takes over the colors of a row of so many channels of so many bytes. Returns whether all its pixels are opaque.
+/// Sets the colors of a row with `channels` channels of `bytes` bytes. Returns true if all its pixels are opaque.
 template <std::size_t channels, std::size_t bytes>
 bool SetRowOf(Image& image, int y, std::span<const unsigned char> row) {
   constexpr int largest = bytes == 2 ? 65535 : 255;
@@ -234,7 +235,7 @@ bool SetRow(Image& image, int y, std::span<const unsigned char> row, const RowLa
   return layout.is_16_bit ? SetRowOf<3, 2>(image, y, row) : SetRowOf<3, 1>(image, y, row);
 }
 
-/// All rows of the picture. Returns whether all pixels are opaque.
+/// Reads all rows of the image. Returns true if all pixels are opaque.
 bool ReadRows(Reader& reader, Image& image) {
   const RowLayout layout = reader.Layout();
   bool is_opaque = true;
@@ -272,7 +273,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
     decoded.warnings.push_back("PNG has transparent pixels: alpha is ignored, their colors count in full");
   if (reader.HasOtherColors())
     decoded.warnings.push_back("PNG has a color profile or a gamma other than sRGB's, which is not applied");
-  if (!end.has_end_chunk) decoded.warnings.push_back("PNG has no end chunk (IEND), yet all its rows are there");
+  if (!end.has_end_chunk) decoded.warnings.push_back("PNG has no end chunk (IEND), but all its rows are present");
   WarnOfBytesBehind(decoded, "PNG", end.bytes_behind);
   return decoded;
 }
@@ -285,7 +286,7 @@ ImageSettings ReadSettings(std::span<const unsigned char> bytes) {
 
 // --- writing ---
 
-/// Big-endian 16-bit channels, as the file holds them.
+/// Returns the 16-bit channels of a row, big-endian as in the file.
 std::vector<unsigned char> ShortRow(const Image& image, int y, const ImageEncoding& encoding) {
   std::vector<unsigned char> row;
   row.reserve(6 * static_cast<std::size_t>(image.Width()));
@@ -300,7 +301,7 @@ std::vector<unsigned char> ShortRow(const Image& image, int y, const ImageEncodi
   return row;
 }
 
-/// Owns the library's writer of one picture.
+/// Owns the library's writer of one image.
 class Writer {
  public:
   Writer() {
@@ -323,7 +324,7 @@ class Writer {
     for (const auto& [key, value] : settings) {
       png_text text{};
       text.compression = IsAscii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
-      // The library takes them as not const, yet only copies them.
+      // The parameter is not const, but the library only copies the text.
       text.key = const_cast<char*>(key.c_str());
       text.text = const_cast<char*>(value.c_str());
       texts.push_back(text);
@@ -332,8 +333,8 @@ class Writer {
       png_set_IHDR(png_, info_, static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height),
                    encoding.bits == 16 ? 16 : 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                    PNG_FILTER_TYPE_DEFAULT);
-      // Values written straight get no gAMA 1.0 chunk: programs that heed it would show the picture brighter than
-      // the same one as JPEG or PPM, where straight values are meant to be shown as they are.
+      // Linear values get no gAMA 1.0 chunk: programs that honor it would show the image brighter than the same one as
+      // JPEG or PPM, where linear values are meant to be shown unchanged.
       if (encoding.srgb) png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
       if (!texts.empty()) png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
       png_write_info(png_, info_);

@@ -12,17 +12,17 @@ namespace ppm {
 namespace {
 
 struct Header {
-  bool is_text = false, is_bits = false;  // of bits, 1 is black
+  bool is_text = false, is_bits = false;  // with bits, 1 is black
   int channels = 3;
   ImageSize size;
-  int largest = 255;  // the sample that means 1
+  int largest = 255;  // the sample value that means 1
 
   int BytesPerSample() const { return largest > 255 ? 2 : 1; }
   std::uint64_t Samples() const {
     return std::uint64_t{1} * static_cast<unsigned>(channels) * static_cast<unsigned>(size.width) *
            static_cast<unsigned>(size.height);
   }
-  /// Rows of bits start at whole bytes.
+  /// Returns the bytes per row of bits; rows start at whole bytes.
   std::uint64_t RowOfBits() const { return (static_cast<std::uint64_t>(size.width) + 7) / 8; }
   std::uint64_t BinaryBytes() const {
     return is_bits ? RowOfBits() * static_cast<unsigned>(size.height)
@@ -57,7 +57,7 @@ int ReadSample(ByteReader& reader, const Header& header) {
   if (header.is_text) return reader.WholeNumber("a pixel value", 0, header.largest);
   int sample = reader.Byte("a pixel");
   if (header.BytesPerSample() == 2) sample = sample << 8 | reader.Byte("a pixel");
-  if (sample > header.largest) reader.Fail("holds a pixel value above " + std::to_string(header.largest));
+  if (sample > header.largest) reader.Fail("contains a pixel value above " + std::to_string(header.largest));
   return sample;
 }
 
@@ -70,7 +70,7 @@ Color ReadPixel(ByteReader& reader, const Header& header) {
   return {r, g, b};
 }
 
-/// One row of bits, of which 1 is black. In text, white space between them may be left out.
+/// Reads one row of bits, where 1 is black. In text, white space between them is optional.
 void ReadRowOfBits(ByteReader& reader, const Header& header, Image& image, int y) {
   const auto set = [&](int x, bool is_black) { image.Set(x, y, is_black ? Color{} : Color{1, 1, 1}); };
   if (header.is_text) {
@@ -86,12 +86,12 @@ void ReadRow(ByteReader& reader, const Header& header, Image& image, int y) {
   for (int x = 0; x < image.Width(); ++x) image.Set(x, y, ReadPixel(reader, header));
 }
 
-/// Several images may follow each other in one file.
+/// Warns about further images, since several may follow each other in one file.
 void WarnOfRest(DecodedImage& decoded, ByteReader& reader, bool is_text) {
   if (is_text) reader.SkipSpace();
   if (reader.Left() == 0) return;
   if (Recognizes(reader.Rest()))
-    decoded.warnings.push_back("PPM holds further images behind the first, which are ignored");
+    decoded.warnings.push_back("PPM contains further images after the first, which are ignored");
   else
     WarnOfBytesBehind(decoded, "PPM", reader.Left());
 }
@@ -100,7 +100,7 @@ DecodedImage Decode(std::span<const unsigned char> bytes) {
   ByteReader reader("PPM", bytes);
   const Header header = ReadHeader(reader);
   if (!header.is_text) reader.SpaceBefore(header.BinaryBytes());
-  // In text, a sample takes a digit at least, and all but bits have white space before them.
+  // In text, a sample takes at least one digit, preceded by white space unless it is a bit.
   const std::uint64_t bytes_of_text = header.Samples() * (header.is_bits ? 1 : 2);
   reader.Need(header.is_text ? bytes_of_text : header.BinaryBytes(), "the image");
   DecodedImage decoded{Image(header.size.width, header.size.height)};

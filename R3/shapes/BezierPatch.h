@@ -8,12 +8,12 @@
 
 namespace R3 {
 
-/// The names of the coordinates of 16 control points, row by row.
+/// Returns the argument names of 16 control points, row by row.
 std::vector<Argument> PatchArguments();
-/// The control points that these 48 numbers are, as vectors from the origin.
+/// Returns the control points given by 48 numbers, as vectors from the origin.
 patch::Net<Vector> PatchNet(std::span<const double> numbers);
 
-/// The bicubic patch of these control points in Bernstein's basis, which a line of a scene file made.
+/// Makes the bicubic patch of control points in Bernstein's basis; `made_from` is its line of a scene file.
 std::unique_ptr<const Shape> BezierPatch(const patch::Net<Vector>& net, Recipe made_from);
 
 }  // namespace R3

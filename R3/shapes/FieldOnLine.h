@@ -8,11 +8,11 @@
 
 #include "R3/Numeric.h"
 
-/// Where the sum of the fields of balls reaches 1 along a line.
+/// The points along a line where the sum of the fields of balls reaches 1.
 namespace R3::field {
 
-/// A ball as a line passes through it. Its field at s is strength q^3, with q = height - bend (s - middle)^2, where q
-/// is above 0.
+/// The part of a line inside a ball. Its field at s is strength q^3, with q = height - bend (s - middle)^2, where q is
+/// above 0.
 struct Chord {
   double middle, height, bend, strength;
   double enter, leave;
@@ -20,8 +20,8 @@ struct Chord {
   double Share(double s) const { return height - bend * (s - middle) * (s - middle); }
 };
 
-/// Coefficients of a polynomial in Bernstein form: those of a stretch bound its values there, and it has no more zeros
-/// there than they change their sign.
+/// The coefficients of a polynomial in Bernstein form: those of a stretch bound its values there, and it has no more
+/// zeros there than they have sign changes.
 template <std::size_t size>
 using Bernstein = std::array<double, size>;
 
@@ -31,7 +31,7 @@ constexpr double Choose(std::size_t n, std::size_t k) {
   return result;
 }
 
-/// source   Farouki, Rajan, Algorithms for polynomials in Bernstein form (1988), eq. 44
+/// Multiplies two polynomials. source   Farouki, Rajan, Algorithms for polynomials in Bernstein form (1988), eq. 44
 template <std::size_t m, std::size_t n>
 Bernstein<m + n - 1> operator*(const Bernstein<m>& a, const Bernstein<n>& b) {
   Bernstein<m + n - 1> product{};
@@ -41,34 +41,34 @@ Bernstein<m + n - 1> operator*(const Bernstein<m>& a, const Bernstein<n>& b) {
   return product;
 }
 
-/// A stretch of the line within the same balls, and the field less 1 there, which is of the sixth degree.
+/// A stretch of the line within the same balls, with the field minus 1 there, a polynomial of degree six.
 struct Cell {
   double low, high;
   bool begins_inside, ends_inside;
   Bernstein<7> field;
 };
 
-/// All crossings in order, each found when it is asked for.
+/// All crossings in order, each computed on request.
 ///
-/// Between the places where the line enters or leaves a ball the field is a polynomial. A stretch whose coefficients
-/// have one sign holds no crossing; one whose coefficients change their sign once holds one, which Newton's method
-/// finds within it; others are halved, the nearer half first. So nothing is stepped over. What is left where all coefficients
-/// are within rounding of 0, as where a line touches the surface, is decided by the signs at its ends. The sign at a
-/// place is that of one function, whatever stretch it is an end of: the line goes in and out by turns.
+/// Between the points where the line enters or leaves a ball the field is a polynomial. A stretch whose coefficients
+/// have one sign contains no crossing; one whose coefficients change their sign once contains one, which Newton's
+/// method finds; others are bisected, the nearer half first. So nothing is skipped. If all coefficients are within
+/// rounding of 0, as where a line touches the surface, the signs at the ends decide. The sign at a point is that of one
+/// function, whichever stretch it is an end of: the line alternates between in and out.
 ///   source   Descartes' rule of signs in Bernstein form: Lane, Riesenfeld, Bounds on a polynomial (1981)
 class FieldOnLine {
  public:
   void Add(const Chord& chord) { chords_.push_back(chord), most_ += std::abs(chord.strength); }
 
-  /// The first s that `is_wanted` of its crossings; whether it is must not change back behind the first that is. No
-  /// crossing depends on it.
+  /// Returns the first crossing s for which `is_wanted` is true; it must stay true for all later ones. No crossing
+  /// depends on it.
   template <class IsWanted>
   std::optional<double> First(const IsWanted& is_wanted) {
     std::vector<double> ends;
     for (const Chord& chord : chords_) ends.insert(ends.end(), {chord.enter, chord.leave});
     std::ranges::sort(ends);
-    // Products and sums of a coefficient are fewer than 64 roundings, and every halving adds 6, of numbers that do not
-    // exceed 8 times the strengths: q is below 1 and the coefficients of its square bend below 2.
+    // Products and sums of a coefficient are fewer than 64 roundings, and every bisection adds 6, of numbers that do
+    // not exceed 8 times the strengths: q is below 1, and its Bernstein coefficients are below 2.
     constexpr int roundings = 64 + 6 * most_halvings;
     pad_ = Gamma(roundings) * (8 * most_ + 1);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
@@ -82,7 +82,7 @@ class FieldOnLine {
  private:
   static constexpr int most_halvings = 52;
 
-  /// The field less 1, and its derivative.
+  /// Returns the field minus 1, and its derivative.
   std::array<double, 2> At(double s) const {
     double value = -1, slope = 0;
     for (const Chord& chord : chords_) {
@@ -99,7 +99,7 @@ class FieldOnLine {
     Cell cell{low, high, IsInside(low), IsInside(high), {-1, -1, -1, -1, -1, -1, -1}};
     for (const Chord& c : chords_) {
       if (!(c.enter <= low && c.leave >= high)) continue;
-      // Blossoming gives the coefficient in the middle.
+      // Blossoming gives the middle coefficient.
       const Bernstein<3> q{c.Share(low), c.height - c.bend * (low - c.middle) * (high - c.middle), c.Share(high)};
       const Bernstein<7> cube = q * q * q;
       for (std::size_t i = 0; i < cube.size(); ++i) cell.field[i] += c.strength * cube[i];
@@ -107,11 +107,12 @@ class FieldOnLine {
     return cell;
   }
 
-  /// How often the sign changes at most, whatever those that are not certain have; up to 2.
+  /// Returns the maximum number of sign changes for any values of the uncertain coefficients, up to 2.
   int SignChanges(const Bernstein<7>& c) const {
     const auto sign = [&](double x) { return x > pad_ ? 1 : x < -pad_ ? -1 : 0; };
     if (sign(c.front()) == 0 || sign(c.back()) == 0) return 2;
-    // From certain to certain there are none or one; uncertain ones between two alike may hide two.
+    // Between consecutive certain signs there is at most one change; uncertain ones between two equal signs may hide
+    // two.
     int changes = 0, last = sign(c.front());
     bool is_between = false;
     for (std::size_t i = 1; i < c.size(); ++i) {
@@ -142,7 +143,7 @@ class FieldOnLine {
     return is_wanted(s) ? std::optional(s) : std::nullopt;
   }
 
-  /// source   de Casteljau's construction
+  /// Splits a cell. source   de Casteljau's construction
   std::array<Cell, 2> Halves(const Cell& cell, double middle) const {
     Cell first = cell, second = cell;
     first.high = second.low = middle;
@@ -155,10 +156,11 @@ class FieldOnLine {
     return {first, second};
   }
 
-  /// Newton's method within a bracket, which is halved where a step leaves it or is not half of the last one.
+  /// Finds the crossing by Newton's method within a bracket, which is bisected if a step leaves it or is not half of
+  /// the last one.
   double CrossingIn(const Cell& cell) const {
     double low = cell.low, high = cell.high, step = high - low, s = low + step / 2;
-    constexpr int most_steps = 128;  // each second one at least halves the bracket
+    constexpr int most_steps = 128;  // at least every second one bisects the bracket
     for (int i = 0; i < most_steps; ++i) {
       const auto [value, slope] = At(s);
       ((value > 0) == cell.begins_inside ? low : high) = s;

@@ -10,20 +10,20 @@ using Operation = Expression::Operation;
 
 constexpr double whole_turn = 2 * std::numbers::pi;
 
-/// Makes each lane of `to` what `made` gives for its number.
+/// Sets each lane of `to` to the result of `made` for its number.
 template <typename Made>
 inline void Each(Lanes& to, const Made& made) {
   for (std::size_t i = 0; i < Lanes::count; ++i) to.at[i] = made(i);
 }
 template <typename Made>
 inline void Each(IntervalLanes& to, const Made& made) {
-  IntervalLanes all;  // apart from what they are made of, so that they can be made together
+  IntervalLanes all;  // separate from the operands, so that all lanes can be computed together
   for (std::size_t i = 0; i < Lanes::count; ++i) all.Set(i, made(i));
   to = all;
 }
 
-/// R1::SinCos, bit for bit. Large angles, and those so near to quarters of a turn that more digits of pi count, are
-/// left to it.
+/// Equals R1::SinCos bit for bit. Large angles, and those so near to quarter turns that more digits of pi matter, are
+/// delegated to it.
 inline void SinCosEach(const Lanes& angles, Lanes& sine, Lanes& cosine) {
   namespace c = R1::coefficients;
   Lanes hard;
@@ -45,7 +45,7 @@ inline void SinCosEach(const Lanes& angles, Lanes& sine, Lanes& cosine) {
     }
 }
 
-/// x^n in each lane, rounded as R1::WholePower does.
+/// Computes x^n in each lane, rounded as in R1::WholePower.
 inline void WholePowerEach(const Lanes& base, std::uint32_t n, Lanes& power) {
   Lanes x = base;
   Each(power, [](std::size_t) { return 1.0; });
@@ -72,13 +72,13 @@ inline void WholePowerEach(const IntervalLanes& a, std::uint32_t n, IntervalLane
   });
 }
 
-/// Whether one of start + k turns may lie within each interval: 1 or 0.
+/// Sets each lane to 1 if its interval may contain one of start + k turns, otherwise to 0.
 inline void MayHoldEach(const IntervalLanes& a, double start, Lanes& held) {
   Each(held, [&](std::size_t i) { return MayHold(a[i], start, whole_turn) ? 1.0 : 0.0; });
 }
 
-/// A function that goes from -1 to 1 and back, from what it is at the ends of intervals and whether it comes by -1 and
-/// by 1.
+/// Bounds a function that oscillates between -1 and 1 from its values at the ends of intervals and whether it reaches
+/// -1 and 1 between them.
 inline void HullEach(const IntervalLanes& a, const Lanes& p, const Lanes& q, const Lanes& has_bottom,
                      const Lanes& has_top, IntervalLanes& hull) {
   Each(hull, [&](std::size_t i) -> Interval {
@@ -90,7 +90,7 @@ inline void HullEach(const IntervalLanes& a, const Lanes& p, const Lanes& q, con
   });
 }
 
-/// The sine and the cosine of intervals, from those of the ends.
+/// Computes the sine and the cosine of intervals from those of the ends.
 inline void SinCosEach(const IntervalLanes& a, IntervalLanes& sines, IntervalLanes& cosines) {
   constexpr double half = std::numbers::pi, quarter = std::numbers::pi / 2;
   Lanes sine[2], cosine[2], has_bottom, has_top;

@@ -8,13 +8,13 @@
 
 namespace R3 {
 
-/// Numbers that are worked on together, so many that loops over them become vector instructions.
+/// Numbers that are processed together, enough for loops over them to become vector instructions.
 struct Lanes {
   static constexpr std::size_t count = 8;
   alignas(64) double at[count];
 };
 
-/// Intervals, their ends each an array.
+/// Intervals, with one array for each end.
 struct IntervalLanes {
   Lanes low, high;
 
@@ -22,28 +22,28 @@ struct IntervalLanes {
   void Set(std::size_t i, const Interval& interval) { low.at[i] = interval.low, high.at[i] = interval.high; }
 };
 
-/// A formula at eight places of the line of a ray, or in eight stretches of it, at once. What a lane gives is what
-/// Expression::At gives of a place, bit for bit, or bounds as those that it gives of a stretch. With eight calls of
-/// Expression::At instead, images of implicit surfaces take 3 to 4.5 times as long: scenes/implicit.scn 1.5 s instead
-/// of 0.41 s at 256 x 256 pixels on one core of an AMD EPYC with AVX-512.
+/// A formula evaluated at eight points of the line of a ray, or in eight stretches of it, at once. At a point, a lane's
+/// result is bit-identical to that of Expression::At; in a stretch, its bounds are those of Expression::At. With eight
+/// calls of Expression::At instead, images of implicit surfaces take 3 to 4.5 times as long: scenes/implicit.scn 1.5 s
+/// instead of 0.41 s at 256 x 256 pixels on one core of an AMD EPYC with AVX-512.
 class FormulaLanes {
  public:
-  /// `formula` and `ray` outlive this.
+  /// Prepares the evaluation; `formula` and `ray` must outlive this.
   FormulaLanes(const Expression& formula, const Ray& ray)
       : formula_(formula), ray_(ray), cells_(std::make_unique_for_overwrite<Cell[]>(formula.steps_.size())) {}
 
-  /// The values at parameters of the ray.
+  /// Returns the values at parameters of the ray.
   const Lanes& At(const Lanes& t);
-  /// Bounds on the values.
+  /// Returns bounds on the values.
   const IntervalLanes& In(const IntervalLanes& t);
-  /// Bounds on how fast the values change with t, where In was last asked for.
+  /// Returns bounds on the derivatives by t in the stretches of the last call of In.
   const IntervalLanes& Slopes();
 
  private:
-  /// What a step of the formula comes to.
+  /// The result of one step of the formula.
   struct Cell {
     IntervalLanes value, slope;
-    IntervalLanes cofunction;  // the cosine of what this is the sine of, and the other way around
+    IntervalLanes cofunction;  // the cosine if this is a sine, and the other way around
     Lanes number, number_of_cofunction;
   };
   using Step = Expression::Step;

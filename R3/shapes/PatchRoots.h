@@ -7,14 +7,14 @@
 
 #include "R3/Numeric.h"
 
-/// Where a line meets a bicubic patch.
+/// The intersections of a line with a bicubic patch.
 namespace R3::patch {
 
 /// Values at the 16 control points, by row: those of one row have one v, and u grows along it.
 template <typename Value>
 using Net = std::array<std::array<Value, 4>, 4>;
 
-/// Weights of four control points at x, and their derivatives: Bernstein's polynomials.
+/// Returns the weights of four control points at x, and their derivatives: Bernstein's polynomials.
 inline std::array<double, 4> Weights(double x) {
   const double y = 1 - x;
   return {y * y * y, 3 * x * y * y, 3 * x * x * y, x * x * x};
@@ -32,7 +32,7 @@ Value Blend(const Net<Value>& net, const std::array<double, 4>& along_u, const s
   return sum;
 }
 
-/// How far the line of a ray passes from control points, along two directions across it.
+/// The distances of the line of a ray from control points, along two directions perpendicular to it.
 struct Miss {
   double x = 0, y = 0;
 
@@ -41,7 +41,7 @@ struct Miss {
   friend Miss operator*(double s, const Miss& a) { return {s * a.x, s * a.y}; }
 };
 
-/// Numbers from low to high.
+/// The numbers from low to high.
 struct Range {
   double low = infinity, high = -infinity;
 
@@ -54,7 +54,7 @@ struct Range {
 
 using Four = std::array<Miss, 4>;
 
-/// The control points of a curve up to x.
+/// Returns the control points of a curve up to x.
 ///   source   de Casteljau's construction
 inline Four UpTo(double x, const Four& c) {
   const auto between = [x](const Miss& a, const Miss& b) { return a + x * (b - a); };
@@ -66,15 +66,15 @@ inline Four From(double x, const Four& c) {
   const Four backwards = UpTo(1 - x, {c[3], c[2], c[1], c[0]});
   return {backwards[3], backwards[2], backwards[1], backwards[0]};
 }
-/// From `low` to `high`, which may be beyond its ends.
+/// Returns the control points from `low` to `high`, which may be beyond the ends.
 inline Four Stretch(double low, double high, const Four& c) {
   if (low == 0) return UpTo(high, c);
   return high == 1 ? From(low, c) : From(low / high, UpTo(high, c));
 }
 
-/// A rectangle of the patch, and where the line passes its control points.
+/// A rectangle of the patch, and the line's distances from its control points.
 struct Cell {
-  double u = 0, v = 0, du = 1, dv = 1;  // the least u and v, and how far it goes from there
+  double u = 0, v = 0, du = 1, dv = 1;  // the smallest u and v, and the extent from there
   Net<Miss> net{};
 
   Cell AlongU(double low, double high) const {
@@ -94,7 +94,7 @@ struct Cell {
   }
 };
 
-/// How the miss changes over a cell whose u and v run from 0 to 1: everywhere within these.
+/// Bounds on the derivatives of the distances over a cell whose u and v run from 0 to 1.
 struct Slopes {
   Range x_of_u, y_of_u, x_of_v, y_of_v;
 
@@ -113,24 +113,24 @@ inline Slopes SlopesOf(const Net<Miss>& net) {
   return slopes;
 }
 
-/// A place of the patch, and whether there is exactly one there.
+/// A point of the patch, and whether it is proven to be the only one there.
 struct Root {
   double u, v;
   bool is_proven;
-  double du = 0, dv = 0;  // the sides of the cell that it was found in, where it is not proven
+  double du = 0, dv = 0;  // the sides of the cell in which it was found, if it is not proven
 };
 
-/// All places where the line meets the patch.
+/// A search for all points where the line meets the patch.
 ///
-/// A cell whose control points are all on one side of the line, by either of two directions, is not met. In others
+/// A cell whose control points are all on one side of the line, along either of two directions, is missed. For others
 /// Krawczyk's operator decides: with m the middle, Y the inverse of the slopes there, J the slopes anywhere in the
 /// cell,
 ///     K = m - Y f(m) + (1 - Y J) (cell - m)
-/// holds all zeros of f in the cell; if it lies within the cell there is exactly one. Else the cell is halved, with
-/// halves that overlap, so that a zero is well within one of them. The patch is continued a little beyond its edges for
-/// the same reason. What is left at the end is no longer, seen along the line, than the square root of rounding: where
-/// a line touches the patch or lies in it, or within some 10^-7 of the patch's size of a corner of coincident points.
-/// Newton's method is tried there too, but nothing proven.
+/// contains all zeros of f in the cell; if it lies within the cell there is exactly one. Otherwise the cell is split
+/// into overlapping halves, so that a zero is well within one of them. The patch is extended a little beyond its edges
+/// for the same reason. The cells that remain at the end are, seen along the line, no longer than the square root of
+/// rounding: where a line touches the patch or lies in it, or within some 10^-7 of the patch's size of a corner of
+/// coincident points. Newton's method is tried there too, without proof.
 ///   source   Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken (1969)
 class RootFinder {
  public:
@@ -138,11 +138,11 @@ class RootFinder {
     Range all;
     for (const auto& row : net)
       for (const Miss& miss : row) all.Extend(std::max(std::abs(miss.x), std::abs(miss.y)));
-    // Every halving rounds by less than 8 u, and there are at most 66.
+    // Every split rounds by less than 8 u, and there are at most 66.
     constexpr double roundings = 8 * 66;
     pad_ = roundings * unit_roundoff * all.high;
-    // The surface bends away from a line that touches it by about the square of the way: of less, rounding says
-    // nothing.
+    // The surface bends away from a tangent line by about the square of the distance; below this size, rounding hides
+    // it.
     smallest_ = std::sqrt(pad_);
     constexpr double beyond = 0x1p-6;
     waiting_.push_back(Cell{.net = net}.AlongU(-beyond, 1 + beyond).AlongV(-beyond, 1 + beyond));
@@ -156,7 +156,7 @@ class RootFinder {
   const std::vector<Root>& Roots() const { return roots_; }
 
  private:
-  static constexpr int most_cells = 2'000;  // a line that lies in the patch would go on for ever
+  static constexpr int most_cells = 2'000;  // a line that lies in the patch would never end
 
   void Examine(const Cell& cell) {
     Range x, y;
@@ -172,8 +172,9 @@ class RootFinder {
     Halve(cell, slopes.AlongU() >= slopes.AlongV());
   }
 
-  /// Whether all is on one side of the line, across the direction in which the cell is long as seen along it. Near a
-  /// silhouette cells are narrow that way, and in no other direction would as few be left.
+  /// Returns true if all control points are on one side of the line, across the direction in which the cell is long as
+  /// seen along it. Near a silhouette cells are narrow in that direction, and any other direction would leave more
+  /// cells.
   bool PassesBeside(const Net<Miss>& net) const {
     const Miss along_u = net[3][3] - net[3][0] + (net[0][3] - net[0][0]);
     const Miss along_v = net[3][3] - net[0][3] + (net[3][0] - net[0][0]);
@@ -186,7 +187,7 @@ class RootFinder {
     return !across.HoldsZero(2 * pad_);
   }
 
-  /// Where the net is longer.
+  /// Splits the cell where the net is longer.
   void Halve(const Cell& cell, bool is_u) {
     constexpr double first = 0.53125, second = 0.46875;
     waiting_.push_back(is_u ? cell.AlongU(second, 1) : cell.AlongV(second, 1));
@@ -215,7 +216,7 @@ class RootFinder {
   }
 
   std::vector<Cell> waiting_;
-  std::vector<Root> roots_;  // cells that overlap find a zero twice, each within its own rounding, and a touch often
+  std::vector<Root> roots_;  // overlapping cells find a zero twice, each within its own rounding, and a touch often
   double pad_ = 0, smallest_ = 0;
   int cells_ = 0;
 };

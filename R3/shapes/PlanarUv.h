@@ -6,8 +6,8 @@
 #include "R3/UvTangents.h"
 #include "R3/Warp.h"
 
-/// Texture coordinates for shapes of any form: the share of a box along x and along y, as if the image were laid
-/// through the shape from its +z side.
+/// Texture coordinates for shapes of any form: the relative position in a box along x and along y, as if the image were
+/// projected through the shape from its +z side.
 namespace R3 {
 
 inline void SetPlanarUv(Intersection& at, const Box& box) {
@@ -17,7 +17,7 @@ inline void SetPlanarUv(Intersection& at, const Box& box) {
   at.v_ends = {VEnd::rim, VEnd::rim};
 }
 
-/// How they run over a surface with this normal.
+/// Returns the tangents of these coordinates on a surface with this normal.
 inline UvTangents PlanarUvTangents(const Normal& normal, const Box& box) {
   const Tangents tangents = TangentsOf(AsVector(normal));
   const Vector size = box.Size();

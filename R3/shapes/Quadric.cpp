@@ -7,7 +7,7 @@
 namespace R3 {
 namespace {
 
-/// |origin - center|^2 - radius^2 with a relative error of a few u however near the two are.
+/// Returns |origin - center|^2 - radius^2 with a relative error of a few u however near the two are.
 double PowerOfPoint(const Point& origin, const Point& center, double radius) {
   DoubleDouble sum = -ExactProduct(radius, radius);
   const auto add = [&](double o, double c) {
@@ -20,7 +20,7 @@ double PowerOfPoint(const Point& origin, const Point& center, double radius) {
   return static_cast<double>(sum);
 }
 
-/// (origin - center) . direction as if in twice the precision, then rounded.
+/// Returns (origin - center) . direction as if computed in twice the precision, then rounded.
 /// Source: Ogita, Rump, Oishi, Accurate sum and dot product (2005), algorithm 5.3.
 double AccurateDot(const Point& origin, const Point& center, const Vector& direction) {
   double sum = 0, rest = 0;
@@ -49,7 +49,7 @@ std::optional<Roots> ScaledQuadricRoots(const Point& origin, const Vector& direc
   return Roots{std::scalbn(roots->first, per_length - per_t), std::scalbn(roots->second, per_length - per_t)};
 }
 
-// The chord to the far side is as long as the bar allows for least error: a and b must lose nothing either.
+// The chord to the far side must be accurate to the last digits too, so a and b must lose nothing either.
 R3_USES_FMA
 Quadratic QuadraticNearby(const Point& origin, const Vector& direction, const Point& center, double radius) {
   const double a = AccurateDot(Point{} + direction, {}, direction);

@@ -7,7 +7,7 @@
 #include "R2/Point.h"
 #include "R3/Vector.h"
 
-/// What shapes whose places are drawn uniformly by area have in common.
+/// Functions shared by shapes whose points are sampled uniformly by area.
 namespace R3 {
 
 template <std::size_t parts>
@@ -17,13 +17,13 @@ double Sum(const std::array<double, parts>& areas) {
   return sum;
 }
 
-/// One part of a surface by its share of the area, and random numbers to draw a place on it.
+/// One part of a surface, chosen by its share of the area, and random numbers to sample a point on it.
 struct DrawnPart {
   int part = 0;
   R2::Point u;  // in [0, 1)^2, uniform again
 };
 
-/// Chooses among parts by their areas, not all 0, with the first of the numbers, of which the rest is made uniform.
+/// Chooses among parts by their areas, not all 0, by the first of the numbers, and rescales that to be uniform again.
 template <std::size_t parts>
 DrawnPart DrawPart(const std::array<double, parts>& areas, const R2::Point& u) {
   constexpr double below_one = 1 - 0x1p-53;

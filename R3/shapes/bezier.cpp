@@ -11,10 +11,10 @@ namespace {
 
 using namespace patch;
 
-/// A bicubic patch; its front is where u runs to the right and v upward.
+/// A bicubic patch; its front is the side from which u runs to the right and v upward.
 class Bezier : public Shape {
  public:
-  /// By control points, as vectors from the origin.
+  /// Makes a patch from control points, given as vectors from the origin.
   Bezier(const Net<Vector>& net, Recipe made_from) : net_(net), made_from_(std::move(made_from)) {
     for (const auto& row : net_)
       for (const Vector& p : row) box_.Extend(Point{} + p);
@@ -40,7 +40,8 @@ class Bezier : public Shape {
     const auto along_u = Weights(hit.u), along_v = Weights(hit.v);
     Intersection at;
     at.position = Point{} + Blend(net_, along_u, along_v);
-    // Weights 4 u, their product and that with a point 2 u, sums 15 u; of the magnitudes, which weights do not exceed.
+    // Weights 4 u, their product and that with a point 2 u, sums 15 u; relative to the magnitudes, which the weights do
+    // not exceed.
     at.error = Gamma(21) * Vector{Reach(0), Reach(1), Reach(2)};
     at.normal = at.shading_normal = NormalAt(hit.u, hit.v);
     at.uv = {hit.u, hit.v};
@@ -82,14 +83,14 @@ class Bezier : public Shape {
     return true;
   }
 
-  /// Where corners coincide, a little towards the middle, where there is one.
+  /// Returns the normal; if corners coincide, that at a point slightly towards the middle.
   Normal NormalAt(double u, double v) const {
     double step = 0;
     do {
       const double near_u = u + step * (0.5 - u), near_v = v + step * (0.5 - v);
       const Vector normal = Cross(Blend(unit_net_, WeightSlopes(near_u), Weights(near_v)),
                                   Blend(unit_net_, Weights(near_u), WeightSlopes(near_v)));
-      // Less than this is what rounding makes of nothing, in units of the patch.
+      // Smaller results are rounding errors of zero, in units of the patch.
       if (MaxComponent(Abs(normal)) > 64 * unit_roundoff) return AsNormal(Unit(normal));
       step = step > 0 ? 16 * step : 0x1p-40;
     } while (step < 1);
@@ -97,7 +98,7 @@ class Bezier : public Shape {
   }
 
   std::vector<Hit> Hits(const Ray& ray) const {
-    // Two directions across the ray: exact where it runs along an axis, nearly unit.
+    // Two directions perpendicular to the ray: exact if it runs along an axis, nearly unit.
     const Vector d = Unit(ray.direction);
     const int axis = MaxAxis(d);
     const Vector e{axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0, axis == 0 ? 1.0 : 0.0};
@@ -112,24 +113,24 @@ class Bezier : public Shape {
     const double length = std::scalbn(Length(ray.direction), to_unit_);
     const RootFinder finder(misses);
     std::vector<Hit> hits;
-    for (const bool are_proven : {true, false})
+    for (const bool is_proven : {true, false})
       for (const Root& root : finder.Roots()) {
-        if (root.is_proven != are_proven) continue;
+        if (root.is_proven != is_proven) continue;
         const auto place = PlaceAt(root, misses);
         if (!place) continue;
         const Hit hit{.t = Dot(Blend(from_origin, Weights(place->u), Weights(place->v)), d) / length,
                       .u = place->u,
                       .v = place->v};
-        if (!IsAmong(hits, hit, are_proven ? 0 : length)) hits.push_back(hit);
+        if (!IsAmong(hits, hit, is_proven ? 0 : length)) hits.push_back(hit);
       }
     return hits;
   }
 
-  /// A zero that is found from two cells differs by rounding; a touch is found from all the smallest cells around it,
-  /// and so is a corner of coincident points, whatever u is there.
-  ///   length   of the ray's direction in units of the patch, for a zero that is not proven to be another
+  /// Returns true if a hit is a duplicate. A zero that is found from two cells differs by rounding; a touch is found
+  /// from all the smallest cells around it, and so is a corner of coincident points, whatever u is there.
+  ///   length   of the ray's direction in units of the patch, for a zero that is not proven to be distinct
   static bool IsAmong(const std::vector<Hit>& hits, const Hit& hit, double length) {
-    // The square root of rounding, to which RootFinder's smallest cells go down, along u and v; and some such cells.
+    // The square root of rounding, which is the size of RootFinder's smallest cells along u and v; and some such cells.
     constexpr double same = 0x1p-26, near = 0x1p-20;
     for (const Hit& known : hits) {
       if (std::abs(known.u - hit.u) < same && std::abs(known.v - hit.v) < same) return true;
@@ -138,8 +139,8 @@ class Bezier : public Shape {
     return false;
   }
 
-  /// Newton's method to the last bits, from where it is known to converge, or has not far to go; nothing beyond the
-  /// edges.
+  /// Refines a root by Newton's method to the last bits, from a start known to converge or close to the root;
+  /// std::nullopt beyond the edges.
   static std::optional<Root> PlaceAt(const Root& root, const Net<Miss>& misses) {
     constexpr int most_steps = 12;
     Root place = root;
@@ -156,7 +157,7 @@ class Bezier : public Shape {
     }
     const bool has_stayed = std::abs(place.u - root.u) <= root.du && std::abs(place.v - root.v) <= root.dv;
     if (!root.is_proven && !has_stayed) place = root;
-    // So far beyond an edge that rounding cannot have moved it there. Neighbors that share the edge overlap by as much.
+    // The distance beyond an edge that exceeds rounding. Neighboring patches that share the edge overlap by this much.
     constexpr double rounding = 16 * unit_roundoff;
     const auto is_on_patch = [](double x) { return x >= -rounding && x <= 1 + rounding; };
     if (!is_on_patch(place.u) || !is_on_patch(place.v)) return {};
@@ -166,7 +167,7 @@ class Bezier : public Shape {
 
   Net<Vector> net_;
   Recipe made_from_;
-  Net<Vector> unit_net_;  // from its first corner, times 2^to_unit_, which brings its size into [1, 2)
+  Net<Vector> unit_net_;  // relative to its first corner, times 2^to_unit_, which brings its size into [1, 2)
   int to_unit_ = 0;
   Box box_;
   bool is_degenerate_ = false;

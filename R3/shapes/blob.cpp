@@ -12,12 +12,12 @@ namespace {
 
 /// One source of the field, in the units of the blob.
 struct Ball {
-  Vector center;    // from the middle of the blob
+  Vector center;    // relative to the middle of the blob
   double radius;    // above 0
   double strength;  // in thresholds
 };
 
-/// The field at a place, in thresholds and units of the blob.
+/// The field at a point, in thresholds and units of the blob.
 struct Field {
   double value = 0;
   Vector gradient{};
@@ -45,7 +45,7 @@ struct FieldRange {
 FieldRange RangeIn(const std::vector<Ball>& balls, const Box& box) {
   FieldRange range;
   for (const Ball& ball : balls) {
-    double nearest = 0, farthest = 0;  // squares of distances in radii
+    double nearest = 0, farthest = 0;  // squared distances in radii
     for (int axis = 0; axis < 3; ++axis) {
       const double from_low = (ball.center[axis] - box.low[axis]) / ball.radius,
                    from_high = (box.high[axis] - ball.center[axis]) / ball.radius;
@@ -59,7 +59,8 @@ FieldRange RangeIn(const std::vector<Ball>& balls, const Box& box) {
   return range;
 }
 
-/// The box of all places where the field may be 1, to 2^-8 of the longest side of where it is not 0.
+/// A search for the box around all points where the field may be 1, to 2^-8 of the longest side of the region where it
+/// is not 0.
 class Bounder {
  public:
   explicit Bounder(const std::vector<Ball>& balls) : balls_(balls) {
@@ -97,10 +98,10 @@ class Bounder {
 // The solid where the sum of strength (1 - (d / radius)^2)^3, over the balls whose centers are at a distance d below
 // their radius, is above a threshold.
 //   source   Wyvill, McPheeters, Wyvill, Data structure for soft objects (1986); this polynomial is zero with two of
-//            its derivatives at the radius, and of the sixth degree along a line
+//            its derivatives at the radius, and of degree six along a line
 class Blob : public Shape {
  public:
-  /// `numbers` are a threshold above 0 and, for each ball, center, radius and strength.
+  /// Makes a blob of a threshold above 0 and, for each ball, center, radius and strength.
   explicit Blob(std::span<const double> numbers) : numbers_(numbers.begin(), numbers.end()) {
     Box all;
     for (std::size_t i = 1; i < numbers.size(); i += 5) {
@@ -110,7 +111,7 @@ class Blob : public Shape {
     const double size = MaxComponent(all.Size());
     if (!(size > 0)) return;
     middle_ = all.Center();
-    constexpr int most = 1000;  // 2^1000 is a number, and no size is far below its inverse
+    constexpr int most = 1000;  // 2^1000 is finite, and no size is far below 2^-1000
     to_unit_ = std::min(most, -std::ilogb(size));
     for (std::size_t i = 1; i < numbers.size(); i += 5)
       if (numbers[i + 3] > 0 && numbers[i + 4] != 0)
@@ -133,8 +134,8 @@ class Blob : public Shape {
 
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
     Vector p = FromMiddle(ray.At(hit.t));
-    // A step of Newton's method along the gradient brings what a ray from afar has rounded back to the surface, and is
-    // no longer than that: where the gradient vanishes nothing is known.
+    // One step of Newton's method along the gradient corrects the rounding of a distant ray, and is limited to that
+    // error: where the gradient vanishes nothing is known.
     const auto off = [](const Field& field) { return (field.value - 1) / Dot(field.gradient, field.gradient); };
     const Field near = FieldAt(balls_, p);
     const double step = off(near);
@@ -142,7 +143,7 @@ class Blob : public Shape {
     const Field field = FieldAt(balls_, p);
     Intersection at;
     at.position = middle_ + ScaledByPower(p, -to_unit_);
-    // Each term has 24 roundings and its sum as many as there are balls; twice that for what the curvature adds.
+    // Each term has 24 roundings, and its sum one per ball; doubled to cover the effect of the curvature.
     const double rounding = 2 * Gamma(24 + static_cast<int>(balls_.size())) * (field.magnitude + 1);
     const double error = (std::abs(field.value - 1) + rounding) / Length(field.gradient);
     const double known = std::scalbn(error < largest_error ? error : largest_error, -to_unit_);
@@ -161,7 +162,8 @@ class Blob : public Shape {
   std::optional<Recipe> MadeFrom() const override { return Recipe{"blob", numbers_}; }
 
  private:
-  /// In units of the blob: beyond this share of its size, the slope at a place says little of where the surface is.
+  /// The error limit in units of the blob: beyond this share of its size, the slope at a point does not predict the
+  /// surface.
   static constexpr double largest_error = 0x1p-20;
 
   Point CenterAt(std::size_t i) const { return {numbers_[i], numbers_[i + 1], numbers_[i + 2]}; }
@@ -175,7 +177,8 @@ class Blob : public Shape {
     bounds_ = {in_world(box.low), in_world(box.high)};
   }
 
-  /// Through each ball by its own point nearest to the center, so that a small ball is met as exactly as a large one.
+  /// Returns the field along a ray, with each ball relative to its own nearest point to the center, so that small balls
+  /// are as accurate as large ones.
   field::FieldOnLine FieldAlong(const Ray& ray, int shorter) const {
     const Vector v = ScaledByPower(ray.direction, shorter), origin = FromMiddle(ray.origin);
     const double vv = Dot(v, v);

@@ -56,7 +56,7 @@ class BoxShape : public Shape {
       const int axis = part / 2;
       const bool is_high = part % 2 == 1;
       const double outward = is_high ? 1 : -1;
-      // Which of the other two axes runs to the right decides where the front is.
+      // The front depends on which of the other two axes runs to the right.
       const int right = (axis + (is_high ? 1 : 2)) % 3;
       AddGrid(data, pieces, pieces, [&](int column, int row) {
         const auto along = [&](int a) {
@@ -101,7 +101,7 @@ class BoxShape : public Shape {
 
   static bool IsLineOrLess(const Vector& size) { return (size.x > 0) + (size.y > 0) + (size.z > 0) < 2; }
 
-  /// The place on a face with these coordinates along the other axes.
+  /// Returns the point on a face with these coordinates along the other axes.
   template <typename Coordinate>
   Intersection OnFace(int part, const Coordinate& along) const {
     const int face_axis = part / 2;
@@ -116,7 +116,7 @@ class BoxShape : public Shape {
     return at;
   }
 
-  /// Areas of the faces that are seen: 0 for those that turn their backs, the whole areas from inside.
+  /// Returns the areas of the visible faces: 0 for those that face away, the whole areas from inside.
   std::array<double, 6> SeenAreas(const Point& from) const {
     const Vector size = box_.Size();
     const bool is_inside = box_.Contains(from);
@@ -165,7 +165,7 @@ extern const ShapeKind box_kind{
     "an axis-aligned box: two opposite corners, in any order",
     {{"x"}, {"y"}, {"z"}, {"X"}, {"Y"}, {"Z"}},
     [](std::span<const double> a) -> std::unique_ptr<const Shape> {
-      Box box;  // sorted: hand-out scenes give reversed corners
+      Box box;  // sorted, since course scenes list corners in reverse
       box.Extend(Point{a[0], a[1], a[2]});
       box.Extend(Point{a[3], a[4], a[5]});
       return std::make_unique<BoxShape>(box);

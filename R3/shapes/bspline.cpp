@@ -5,15 +5,15 @@ namespace {
 
 using Row = std::array<Vector, 4>;
 
-/// Control points in Bernstein's basis of the cubic that these are the uniform B-spline control points of. Each is off
-/// by at most 5 u of the largest coordinate: a product, two sums and a quotient, each rounded.
+/// Converts the control points of a uniform cubic B-spline to Bernstein's basis. Each is off by at most 5 u of the
+/// largest coordinate: a product, two sums and a quotient, each rounded.
 ///   source   Farin, Curves and Surfaces for CAGD (2002), section 8.3
 Row InBernsteinBasis(const Row& p) {
   return {(p[0] + 4 * p[1] + p[2]) / 6, (2 * p[1] + p[2]) / 3, (p[1] + 2 * p[2]) / 3, (p[1] + 4 * p[2] + p[3]) / 6};
 }
 
-/// First along rows, then across them: neighbors that have three rows or columns of points in common get one edge, to
-/// the bit.
+/// Converts along rows first, then across them: neighbors with three common rows or columns of points get a
+/// bit-identical edge.
 patch::Net<Vector> NetInBernsteinBasis(const patch::Net<Vector>& net) {
   patch::Net<Vector> rows, patch;
   for (std::size_t j = 0; j < 4; ++j) rows[j] = InBernsteinBasis(net[j]);
@@ -29,7 +29,7 @@ patch::Net<Vector> NetInBernsteinBasis(const patch::Net<Vector>& net) {
 extern const ShapeKind bspline_kind{
     "bspline",
     "a bicubic patch of a uniform B-spline surface by 16 control points, four rows of four: u grows along a row, v "
-    "from row to row; patches that have twelve points in common join smoothly",
+    "from row to row; patches that share twelve points join smoothly",
     PatchArguments(),
     [](std::span<const double> a) {
       return BezierPatch(NetInBernsteinBasis(PatchNet(a)), Recipe{"bspline", {a.begin(), a.end()}});

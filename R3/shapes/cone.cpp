@@ -12,7 +12,7 @@
 namespace R3 {
 namespace {
 
-// Axis parallel to y, apex up; the center is at mid-height, the base is closed.
+// Its axis is parallel to y, apex up; the center is at mid-height, the base is closed.
 class Cone : public Shape {
  public:
   Cone(const Point& center, double radius, double height)
@@ -89,7 +89,7 @@ class Cone : public Shape {
     const auto [part, on_part] = DrawPart(SeenAreas(from), u);
     if (part == base) return DrawOnCap(on_part, center_, radius_, low_, -1);
     const double half_angle = SeenHalfAngle(from) > 0 ? SeenHalfAngle(from) : std::numbers::pi;
-    // The area above a height is as the square of the distance from the apex.
+    // The area above a height is proportional to the square of the distance from the apex.
     return OnSide(OutwardBeside(from - center_, (2 * on_part.x - 1) * half_angle),
                   std::lerp(high_, low_, std::sqrt(on_part.y)));
   }
@@ -104,31 +104,31 @@ class Cone : public Shape {
  private:
   enum Part { side, base };
 
-  /// Returns false on a certain miss.
+  /// Clips the span; returns false on a certain miss.
   bool Clip(Span& span, const Ray& ray) const {
-    // Between base and apex only one of the two mirror cones is left, and it is convex. The plane through the apex is
-    // no face of its own: it touches the solid in the apex alone.
+    // Between base and apex only one of the two mirror cones remains, and it is convex. The plane through the apex is
+    // not a face: it touches the solid only at the apex.
     ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, base, side);
     if (!ClipToSide(span, ray)) return false;
-    // A flat cone's side and base meet so sharply that the rounding of either would move the rim outward by `slope`
-    // times as much; the cylinder around the rim says better where it ends.
+    // A flat cone's side and base meet at such a sharp angle that the rounding of either would move the rim outward by
+    // `slope` times as much; the cylinder around the rim is more accurate there.
     constexpr double flat_slope = 4;
     return slope_ <= flat_slope || ClipToCylinder(span, ray, center_, radius_, side);
   }
 
-  /// The outward direction is zero at the apex.
+  /// Returns the intersection on the side. `outward` is zero at the apex.
   Intersection OnSide(const Vector& outward, double y) const {
     const double radius = slope_ * (high_ - y);
     Intersection at;
     at.position = {center_.x + radius * outward.x, y, center_.z + radius * outward.z};
-    // Unit 4 u, radius 3 u, product and the cone test's own radius and slope as much again.
+    // Unit 4 u, radius 3 u, product and the cone test's own radius and slope another 7 u.
     at.error = Gamma(16) * radius * Abs(outward) + Gamma(4) * Abs(FromOrigin(at.position));
     at.normal = outward == Vector{} ? Normal{0, 1, 0} : AsNormal(Unit({outward.x, slope_, outward.z}));
     at.shading_normal = at.normal;
     return at;
   }
 
-  /// With cone and origin scaled by a power of two, and t scaled back.
+  /// Intersects a copy of cone and origin scaled by a power of two, then scales t back.
   std::optional<Hit> IntersectScaled(const Ray& ray) const {
     const int exponent = std::ilogb(std::max(radius_, height_));
     Ray near = ray;
@@ -141,15 +141,15 @@ class Cone : public Shape {
     return hit;
   }
 
-  /// Half the angle, about the axis, of the lines from the apex to the rim that show their outside; 0 for none. The
-  /// plane that touches the cone along such a line has `from` on its outer side.
+  /// Returns half the angle, about the axis, of the lines from the apex to the rim whose outside is visible; 0 if none
+  /// is. The plane that touches the cone along such a line has `from` on its outer side.
   double SeenHalfAngle(const Point& from) const {
     const double distance = R1::Hypot(from.x - center_.x, from.z - center_.z), inside = slope_ * (high_ - from.y);
     if (distance > std::abs(inside)) return R1::Acos(inside / distance);
     return inside < 0 ? std::numbers::pi : 0;
   }
 
-  /// Areas of side and base that are seen: 0 for what turns its back, the whole areas from inside.
+  /// Returns the visible areas of side and base: 0 for parts that face away, the whole areas from inside.
   std::array<double, 2> SeenAreas(const Point& from) const {
     const double half_angle = SeenHalfAngle(from);
     const bool is_below = from.y < low_, is_inside = !is_below && half_angle == 0;
@@ -161,9 +161,9 @@ class Cone : public Shape {
   /// horizontal parts of origin (from the apex) and direction, and R0 + t R1 the cone's radius along the ray, that is
   ///     A t^2 - 2 B t + C <= 0,   A = |e|^2 - R1^2,   B = R0 R1 - g.e,   C = |g|^2 - R0^2,
   /// all factored so that nothing cancels, and B^2 - A C = |R0 e - R1 g|^2 - |g x e|^2 (Lagrange's identity for the
-  /// form x^2 + z^2 - r^2), the counterpart of the sphere's miss distance, factored too. A steep ray from afar
-  /// still loses what A, B and C each lose against |g|^2, so one step of Newton's method from each root, with the form
-  /// evaluated at the point itself, ends it. Own derivation; oracle: 113-bit arithmetic in tests/extremes/cone.cpp.
+  /// form x^2 + z^2 - r^2), the counterpart of the sphere's miss distance, factored too. A steep ray from afar still
+  /// loses the errors of A, B and C relative to |g|^2, so each root is finished by one step of Newton's method, with
+  /// the form evaluated at the point itself. Own derivation; oracle: 113-bit arithmetic in tests/extremes/cone.cpp.
   /// Returns false on a certain miss.
   R3_USES_FMA
   bool ClipToSide(Span& span, const Ray& ray) const {
@@ -180,12 +180,12 @@ class Cone : public Shape {
     const auto polished = [&](double t) {
       const double x = std::fma(t, ex, gx), z = std::fma(t, ez, gz), r = std::fma(t, R1, R0);
       const double rho = std::sqrt(x * x + z * z);
-      const double slope = x * ex + z * ez - r * R1;  // half the form's
-      // Both may be nothing but rounding, as they are at the apex; then the root is as good as it gets.
+      const double slope = x * ex + z * ez - r * R1;  // half the slope of the form
+      // Both may be only rounding errors, as they are at the apex; then the root cannot be improved.
       const double noise = Gamma(4) * (g + std::abs(R0) + std::abs(t) * (e + std::abs(R1)));
       if (!(std::abs(rho - r) > noise && std::abs(slope) > 4 * noise * (e + std::abs(R1)))) return t;
       const double step = (rho - r) * (rho + r) / (2 * slope);
-      // Near a tangent the slope says nothing; there t is not determined and the point is on the surface anyway.
+      // Near a tangent the slope is useless; there t is not determined and the point is on the surface anyway.
       constexpr double small_share = 0x1p-20;
       return std::abs(step) < small_share * std::abs(t) ? t - step : t;
     };
@@ -197,14 +197,14 @@ class Cone : public Shape {
       const double one = polished(C / q), other = polished(q / A);
       return Keep(span, std::min(one, other), std::max(one, other));
     }
-    // Steeper than the side, or parallel to it: the line is inside this cone from one root on, to the base's end of it,
-    // and inside the mirror cone beyond the other root. Rounding alone could make the discriminant negative.
+    // Steeper than the side, or parallel to it: the line is inside this cone from one root to the base's end of it, and
+    // inside the mirror cone beyond the other root. Only rounding could make the discriminant negative.
     const double q = B + std::copysign(std::sqrt(std::max(discriminant, 0.0)), B);
     if (q == 0) return C <= 0;
     const double one = polished(C / q), other = A < 0 ? polished(q / A) : -std::copysign(infinity, q);
     if (R1 > 0) return Keep(span, std::max(one, other), infinity);
     if (R1 < 0) return Keep(span, -infinity, std::min(one, other));
-    return false;  // no direction at all, or NaN
+    return false;  // zero direction, or NaN
   }
 
   static bool Keep(Span& span, double from, double to) {

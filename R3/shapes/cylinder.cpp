@@ -12,7 +12,7 @@
 namespace R3 {
 namespace {
 
-// Axis parallel to y, the center at mid-height, both ends closed.
+// Its axis is parallel to y, the center at mid-height, both ends closed.
 class Cylinder : public Shape {
  public:
   Cylinder(const Point& center, double radius, double height)
@@ -24,8 +24,8 @@ class Cylinder : public Shape {
 
   Profile ProfileInBounds() const override { return Profile::Upright(); }
 
-  // A cylinder is convex, so the ray is inside it where it is inside both the round and the slab: no rim to leak
-  // through.
+  // A cylinder is convex, so the ray is inside it where it is inside both the infinite cylinder and the slab: no rim to
+  // leak through.
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     if (IsDegenerate() || IsLeaving(ray)) return {};
     Span span;
@@ -96,13 +96,13 @@ class Cylinder : public Shape {
  private:
   enum Part { side, bottom, top };
 
-  /// Returns false on a certain miss.
+  /// Clips the span; returns false on a certain miss.
   bool Clip(Span& span, const Ray& ray) const {
     ClipToSlab(span, low_, high_, ray.origin.y, ray.direction.y, bottom, top);
     return ClipToCylinder(span, ray, center_, radius_, side);
   }
 
-  /// Whether the ray certainly leaves without a hit, as most rays do that begin on the surface.
+  /// Returns true if the ray certainly leaves without a hit, as most rays do that start on the surface.
   bool IsLeaving(const Ray& ray) const {
     const Vector across{ray.direction.x, 0, ray.direction.z};
     const auto leaves_from = [&](const Point& p) {
@@ -124,13 +124,13 @@ class Cylinder : public Shape {
     return low_ <= p.y && p.y <= high_ && R1::Hypot(p.x - center_.x, p.z - center_.z) <= radius_;
   }
 
-  /// Half the angle about the axis of the part of the side that is seen.
+  /// Returns half the angle about the axis of the visible part of the side.
   double SeenHalfAngle(const Vector& from_axis) const {
     const double distance = R1::Hypot(from_axis.x, from_axis.z);
     return distance > radius_ ? R1::Acos(radius_ / distance) : std::numbers::pi;
   }
 
-  /// Areas of the parts that are seen: 0 for those that turn their backs, the whole areas from inside.
+  /// Returns the areas of the visible parts: 0 for those that face away, the whole areas from inside.
   std::array<double, 3> SeenAreas(const Point& from) const {
     const Vector from_axis = from - center_;
     const bool is_inside = IsInside(from);

@@ -8,13 +8,13 @@
 namespace R3 {
 namespace {
 
-/// Flat and seen from both sides, its front where the normal points.
+/// A flat disc, visible from both sides; its front is the side of the normal.
 class Disc : public Shape {
  public:
   Disc(const Point& center, const Vector& normal, double radius)
       : center_(center), normal_(normal), unit_(Unit(normal)), across_(TangentsOf(unit_)), radius_(radius) {}
 
-  /// Along an axis it reaches as far as its normal is off that axis.
+  /// Returns the box; along an axis it extends by the sine of the normal's angle with that axis.
   Box Bounds(int) const override {
     const Vector reach{radius_ * Length({0, unit_.y, unit_.z}), radius_ * Length({unit_.x, 0, unit_.z}),
                        radius_ * Length({unit_.x, unit_.y, 0})};
@@ -28,7 +28,7 @@ class Disc : public Shape {
     return Hit{t};
   }
 
-  // In the plane of the disc, up to the rounding of the step back to it and of the sum.
+  // Returns the intersection in the plane of the disc, up to the rounding of the step back to it and of the sum.
   Intersection At(const Ray& ray, const Hit& hit, int) const override {
     const Vector off = ray.At(hit.t) - center_;
     return InPlane(off - Dot(off, unit_) * unit_, Gamma(8) * Length(off));

@@ -10,7 +10,7 @@
 namespace R3 {
 namespace {
 
-// Axis parallel to y, apex up; the center is at mid-height, the base is closed.
+// Its axis is parallel to y, apex up; the center is at mid-height, the base is closed.
 class Paraboloid : public Shape {
  public:
   Paraboloid(const Point& center, double radius, double height)
@@ -87,8 +87,8 @@ class Paraboloid : public Shape {
  private:
   enum Part { side, base };
 
-  /// For drawing: from the rim to the apex, by their share of the radius, and one more where the slope is 1: from there
-  /// to the apex the normals turn most.
+  /// Returns the rings for display, from the rim to the apex, as shares of the radius, plus one where the slope is 1:
+  /// between there and the apex the normals turn most.
   std::vector<double> RingsFor(int rows) const {
     std::vector<double> shares;
     for (int row = 0; row <= rows; ++row) shares.push_back(1 - static_cast<double>(row) / rows);
@@ -97,13 +97,14 @@ class Paraboloid : public Shape {
     return shares;
   }
 
-  /// Outward at this share of the radius from the axis: the gradient of x^2 + z^2 + r^2 y / h, times 1 / r.
+  /// Returns the outward normal at this share of the radius from the axis: the gradient of x^2 + z^2 + r^2 y / h, times
+  /// 1 / r.
   Normal NormalAt(const Vector& outward, double share) const {
     return AsNormal(Unit({2 * share * outward.x, radius_ / height_, 2 * share * outward.z}));
   }
 
-  /// The point of the side beside `p`: at its height where the side is steep, above or below it where the side is flat,
-  /// since around the apex a height says little about the radius.
+  /// Returns the point of the side next to `p`: at its height where the side is steep, above or below it where the side
+  /// is flat, since the height does not determine the radius near the apex.
   Intersection OnSideNear(const Point& p) const {
     const Vector across{p.x - center_.x, 0, p.z - center_.z}, outward = Unit(across);
     Intersection at = OnSideBeside(p, across, outward);
@@ -121,8 +122,8 @@ class Paraboloid : public Shape {
                     : OnSide(outward, share, std::max(low_, high_ - share * share * height_));
   }
 
-  /// The outward direction is zero at the apex. Of the two numbers one is given and the other follows; that is off by
-  /// 8 u of what it is, and moves the surface by as much along its normal.
+  /// Returns the intersection on the side. `outward` is zero at the apex. One of `share` and `y` is given and the other
+  /// follows; the latter is off by 8 u relative, which moves the surface by as much along its normal.
   Intersection OnSide(const Vector& outward, double share, double y) const {
     Intersection at;
     at.position = {center_.x + share * radius_ * outward.x, y, center_.z + share * radius_ * outward.z};
@@ -132,13 +133,13 @@ class Paraboloid : public Shape {
     return at;
   }
 
-  /// Clips to the endless paraboloid, which is convex. With g and e the horizontal parts of origin (from the axis) and
+  /// Clips to the infinite paraboloid, which is convex. With g and e the horizontal parts of origin (from the axis) and
   /// direction, and s + t s' the depth below the apex, the line is inside where
   ///     A t^2 - 2 B t + C <= 0,   A = |e|^2, B = k s' / 2 - g.e, C = |g|^2 - k s, k = r^2 / h.
-  /// In double-words, which are off by 2^-100 of their terms, nothing cancels that can be seen: C is off by 2^-100 D^2,
+  /// In double-words, which are off by 2^-100 of their terms, no visible cancellation occurs: C is off by 2^-100 D^2,
   /// and the surface by 2^-100 D^2 / r, which is less than u D up to D = 2^47 r. Without a horizontal direction A is 0,
-  /// and one of the roots infinite. All in units in which radius and height are about 1, and so is the direction.
-  /// Returns false on a certain miss.
+  /// and one of the roots is infinite. Computed in units in which radius, height and direction are about 1. Returns
+  /// false on a certain miss.
   R3_USES_FMA
   bool ClipToSide(Span& span, const Ray& ray) const {
     const double largest = MaxComponent(Abs(ray.direction));

@@ -8,8 +8,8 @@
 namespace R3 {
 namespace {
 
-/// Everything on one side of it, without end. The normal is taken as it is given, whose rounding to unit length would
-/// tilt the plane far from its point.
+/// The infinite half-space on one side of a plane. The normal is used as given, because rounding it to unit length
+/// would tilt the plane far from its point.
 class Plane : public Shape {
  public:
   Plane(const Point& point, const Vector& normal)
@@ -20,11 +20,11 @@ class Plane : public Shape {
   Form FormOfElements() const override { return Form::flat; }
   bool IsSolid() const override { return false; }
 
-  // The distance is exact but for its last rounding, so t errs by a few u whatever is far away.
+  // The distance is exact except for its final rounding, so the error of t is a few u at any distance.
   std::optional<Hit> Intersect(const Ray& ray, int) const override {
     const double towards = -Dot(normal_, ray.direction);
     const double t = DistanceTimesLength(ray.origin) / towards;
-    if (!(t > ray.t_min && t < ray.t_max)) return {};  // also when the ray is parallel: infinite, or NaN in the plane
+    if (!(t > ray.t_min && t < ray.t_max)) return {};  // also if the ray is parallel: infinite, or NaN in the plane
     return Hit{t};
   }
 
@@ -43,8 +43,8 @@ class Plane : public Shape {
 
   UvTangents UvTangentsAt(const Ray&, const Hit&, int) const override { return {across_, Cross(unit_, across_)}; }
 
-  /// The square within 1 of the point, the finer the nearer to that; the viewer makes it, and its texture coordinates,
-  /// as large as it needs.
+  /// Returns the square within 1 of the point, finer near the point; the viewer scales it and its texture coordinates
+  /// as needed.
   MeshData Tessellate(int fineness) const override {
     MeshData data;
     const Vector upward = Cross(unit_, across_);
@@ -64,7 +64,7 @@ class Plane : public Shape {
  private:
   static double Fraction(double x) { return x - std::floor(x); }
   static Vector AnyPerpendicular(const Vector& n) { return Unit(Cross(LeastAxis(n), n)); }
-  /// Distance of a place from the plane along the normal, times the length of the normal.
+  /// Returns the distance of a point from the plane along the normal, times the length of the normal.
   double DistanceTimesLength(const Point& p) const {
     DoubleDouble sum;
     for (int i = 0; i < 3; ++i) sum = sum + ExactSum(p[i], -point_[i]) * DoubleDouble(normal_[i]);
@@ -79,7 +79,7 @@ class Plane : public Shape {
 
 extern const ShapeKind plane_kind{
     "plane",
-    "a plane without end: a point of it and its normal, which needs no unit length",
+    "an infinite plane: a point of it and its normal of any length",
     {{"px"}, {"py"}, {"pz"}, {"nx"}, {"ny"}, {"nz"}},
     [](std::span<const double> a) -> std::unique_ptr<const Shape> {
       constexpr std::size_t of_normal = 3;

@@ -39,7 +39,7 @@ class Sphere : public Shape {
   UvTangents UvTangentsAt(const Ray& ray, const Hit& hit, int) const override {
     const Vector n = Unit(ray.At(hit.t) - center_);
     const double across = std::sqrt(n.x * n.x + n.y * n.y);
-    // dp/du, and dp/dv times `across`: both are 0 at the poles, where they have no directions.
+    // dp/du, and dp/dv times `across`: both are 0 at the poles, where they have no direction.
     return {2 * std::numbers::pi * radius_ * Vector{n.y, -n.x, 0},
             std::numbers::pi * radius_ * Vector{-n.z * n.x, -n.z * n.y, across * across},
             {1, 0},
@@ -48,15 +48,15 @@ class Sphere : public Shape {
 
   bool CanBeSampled() const override { return !IsDegenerate(); }
 
-  /// From outside a direction is drawn uniformly in the cone that the sphere subtends; from inside a place uniformly by
-  /// area.
+  /// Samples the sphere. From outside, a direction is drawn uniformly in the cone that the sphere subtends; from
+  /// inside, a point uniformly by area.
   ///   source   Shirley, Wang, Zimmerman, Monte Carlo techniques for direct lighting calculations (1996), section 3.2
   std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const override {
     const Vector from_center = from - center_;
     const double distance = Length(from_center), sine = radius_ / distance;
     if (!(sine < 1)) return Shape::Sample(from, u, element);
     const double one_minus_cosine = OneMinusCosine(distance, sine);
-    if (one_minus_cosine == 0) return {};  // farther than doubles can tell
+    if (one_minus_cosine == 0) return {};  // too far away for doubles to resolve
     const Vector outward = DrawInCone(Unit(from_center), sine, one_minus_cosine, u);
     return SurfaceSample{OnSurface(Unit(outward)), UniformConePdf(one_minus_cosine)};
   }
@@ -66,7 +66,7 @@ class Sphere : public Shape {
       Shape::SampleEach(samples, element);
   }
 
-  /// From outside places of the cap that faces the point, from inside any.
+  /// Returns true: from outside, points of the cap that faces `from` are drawn; from inside, all are visible.
   bool DrawsInSight() const override { return true; }
 
   double Pdf(const Point& from, const Vector& way, const Normal& normal, int element) const override {
@@ -85,7 +85,8 @@ class Sphere : public Shape {
     if (IsDegenerate()) return data;
     const int rows = std::max(2, fineness / 2);
     AddGrid(data, fineness, rows, [&](int column, int row) {
-      // Against the sense of u, so that fronts are outside with +z up; the poles and the seam meet to the bit.
+      // Opposite to the direction of u, so that fronts are outside with +z up; the poles and the seam are
+      // bit-identical.
       const auto turn = R1::SinCosTurns(-static_cast<double>(column % fineness) / fineness);
       const auto tilt = R1::SinCosTurns(0.5 * row / rows);
       const Vector outward{tilt.sine * turn.sine, tilt.sine * turn.cosine, -tilt.cosine};
@@ -106,7 +107,7 @@ class Sphere : public Shape {
   }
 
  private:
-  /// The place in a unit direction from the center.
+  /// Returns the point in a unit direction from the center.
   Intersection OnSurface(const Vector& outward) const {
     const SurfacePlace place = PlaceOnSphere(center_, radius_, outward);
     Intersection at;
@@ -115,14 +116,14 @@ class Sphere : public Shape {
     return at;
   }
 
-  /// 1 - cos of half the angle that the sphere is seen under from outside, whose sine is radius / D: factored, so
-  /// exact for narrow cones and beside the surface alike.
+  /// Returns 1 - cos of half the angle that the sphere subtends from outside, whose sine is radius / D. It is factored,
+  /// so it is accurate both for narrow cones and close to the surface.
   double OneMinusCosine(double D, double sine) const {
     return sine * sine / (1 + std::sqrt((D - radius_) / D * (1 + sine)));
   }
-  /// Where a direction of that cone, whose axis is the center's own towards the point, meets the sphere: from the
-  /// center, as long as 1 but for rounding. There the angle s to the normal has sin s = sin a / sine, a being the angle
-  /// off the cone's axis, and seen from the center the place is s - a off the axis.
+  /// Returns the point, from the center, where a random direction of that cone meets the sphere; `axis` points from the
+  /// center to the observer. The result has length 1 up to rounding. There the angle s to the normal has sin s = sin a
+  /// / sine, a being the angle off the cone's axis, and seen from the center the point is s - a off the axis.
   static Vector DrawInCone(const Vector& axis, double sine, double one_minus_cosine, const R2::Point& u) {
     const Vector w = SampleUniformCone(u, one_minus_cosine);
     const double sine_squared = w.x * w.x + w.y * w.y;
@@ -131,27 +132,28 @@ class Sphere : public Shape {
     return FromTangents({aside * w.x, aside * w.y, ahead}, axis);
   }
 
-  /// SampleEach; false, with nothing to rely on, where a point is inside, or so far away that the sphere has no size.
+  /// Implements SampleEach; returns false, with unspecified output, if a point is inside, or so far away that the
+  /// sphere has no size.
   R3_VECTORIZED bool SampleFromOutside(SurfaceSamples& samples) const {
-    std::uint64_t are_outside = 1;
+    std::uint64_t all_outside = 1;
     for (std::uint32_t i = 0; i < samples.count; ++i) {
       const Vector from_center = samples.from[i] - center_;
       const double distance = BranchlessLength(from_center), sine = radius_ / distance;
       const double one_minus_cosine = OneMinusCosine(distance, sine);
-      are_outside &= sine < 1;
-      are_outside &= one_minus_cosine > 0;
+      all_outside &= sine < 1;
+      all_outside &= one_minus_cosine > 0;
       const Vector outward =
           BranchlessUnit(DrawInCone(BranchlessUnit(from_center), sine, one_minus_cosine, samples.random[i]));
       const SurfacePlace place = PlaceOnSphere(center_, radius_, outward);
       samples.Set(i, place.position, place.error, AsNormal(outward), UniformConePdf(one_minus_cosine));
     }
-    return are_outside != 0;
+    return all_outside != 0;
   }
 
-  // Agrees with the viewer's utility sphere: poles on z, v from -z to +z, u = 0 at +y and 0.25 at +x.
+  // Matches the viewer's utility sphere: poles on z, v from -z to +z, u = 0 at +y and 0.25 at +x.
   static R2::Point TextureCoordinates(const Vector& outward) {
     const double u = R1::Atan2(outward.x, outward.y) / (2 * std::numbers::pi);
-    // The arc tangent of both legs, since near a pole the arc cosine of z loses half of the digits.
+    // The arc tangent of both legs, since the arc cosine of z loses half of the digits near a pole.
     const double across = std::sqrt(outward.x * outward.x + outward.y * outward.y);
     const double v = 1 - R1::Atan2(across, outward.z) / std::numbers::pi;
     return {u < 0 ? u + 1 : u, v};

@@ -10,9 +10,9 @@
 namespace R3 {
 namespace {
 
-// Polynomials are their coefficients, the constant one first.
+// Polynomials are stored as their coefficients, the constant one first.
 
-/// Places on a line, rising.
+/// Positions on a line, ascending.
 template <std::size_t most>
 struct Places {
   std::array<double, most> at{};
@@ -26,9 +26,9 @@ double Value(const std::array<Number, size>& c, double x) {
   return static_cast<double>(sum);
 }
 
-/// Where a polynomial that rises or falls all the way from `low` to `high`, and has other signs there, is zero:
-/// Newton's method, halving the bracket where a step leaves it or is not half of the last one; after 64 steps, as of a
-/// root at 0, halving the doubles in it, so that 128 are enough.
+/// Returns the zero of a polynomial that is monotonic from `low` to `high` and has different signs there. Uses Newton's
+/// method, bisecting the bracket if a step leaves it or is not half of the last one; after 64 steps, as for a root at
+/// 0, it bisects the doubles in the bracket, so that 128 steps are enough.
 template <typename Number, std::size_t size>
 double RootBetween(const std::array<Number, size>& c, double low, double high, bool rises) {
   constexpr int most_steps = 128;
@@ -55,9 +55,9 @@ double RootBetween(const std::array<Number, size>& c, double low, double high, b
   return x;
 }
 
-/// Where the polynomial changes its sign in [low, high]. It rises or falls all the way between the roots of its
-/// derivative, which are found in the same way, in plain doubles: near a turn the value hardly changes. Where it only
-/// touches zero, the sign of the rounded value at the turn decides.
+/// Returns the sign changes of the polynomial in [low, high]. It is monotonic between the roots of its derivative,
+/// which are found in the same way in plain doubles: near a turn the value hardly changes. Where it only touches zero,
+/// the sign of the rounded value at the turn decides.
 template <typename Number, std::size_t size>
 Places<size - 1> SignChanges(const std::array<Number, size>& c, double low, double high) {
   Places<size - 1> changes, ends;  // ends of the stretches between turns
@@ -135,7 +135,7 @@ class Torus : public Shape {
 
   bool CanBeSampled() const override { return !IsDegenerate(); }
 
-  /// Whichever side of the tube is not that of `from` hides itself.
+  /// Samples a point; std::nullopt if it faces away from `from`, so that the tube itself hides it.
   std::optional<SurfaceSample> Sample(const Point& from, const R2::Point& u, int element) const override {
     const auto sample = Shape::Sample(from, u, element);
     if (!sample) return {};
@@ -147,7 +147,7 @@ class Torus : public Shape {
     return 4 * std::numbers::pi * std::numbers::pi * major_ * minor_;
   }
 
-  /// Chooses places of the tube in proportion to their area: the outer one of two at the same height has more, since
+  /// Samples points of the tube in proportion to their area: the outer one of two at the same height has more, since
   /// its radius about the axis is larger.
   Intersection DrawPlace(const Point&, const R2::Point& u, int) const override {
     const auto around_tube = R1::SinCosTurns(u.x);
@@ -165,17 +165,18 @@ class Torus : public Shape {
   }
 
  private:
-  /// Both are unit.
+  /// Two unit directions at a point of the tube.
   struct Directions {
-    Vector outward;    // from the axis
-    Vector from_tube;  // from the circle within the tube, in the plane of the axis, with x across it
+    Vector outward;    // away from the axis
+    Vector from_tube;  // away from the circle within the tube, in the plane of the axis, with x across it
   };
   Directions DirectionsTo(const Point& place) const {
     const Vector p = place - center_;
     return {Unit({p.x, 0, p.z}), Unit({R1::Hypot(p.x, p.z) - major_, p.y, 0})};
   }
 
-  /// `outward` from the axis and `from_tube`, in the plane of the axis with x across it, are unit.
+  /// Returns the intersection on the tube. `outward` from the axis and `from_tube`, in the plane of the axis with x
+  /// across it, are unit.
   Intersection OnTube(const Vector& outward, const Vector& from_tube) const {
     const double radius = major_ + minor_ * from_tube.x;  // about the axis
     Intersection at;
@@ -198,9 +199,9 @@ class Torus : public Shape {
     return !IsDegenerate() && IsFinite(ray.direction) && IsFinite(FromOrigin(ray.origin));
   }
 
-  static constexpr double pad = 0x1p-40;  // by which the sphere and the planes around the ring are widened
+  static constexpr double pad = 0x1p-40;  // relative padding of the sphere and the planes around the ring
 
-  /// The s at which a line p + s v is within a sphere around the origin; empty, or with a NaN, if nowhere.
+  /// Returns the s at which a line p + s v is within a sphere around the origin; empty, or with a NaN, if nowhere.
   ///   pp, pv, vv   p.p, p.v and v.v
   static Span InSphere(double radius, double pp, double pv, double vv) {
     const double beyond = pp - radius * radius, discriminant = pv * pv - vv * beyond;
@@ -211,20 +212,20 @@ class Torus : public Shape {
     return span;
   }
 
-  /// All t at which the line crosses the surface, infinite where there are fewer than four. With R and r the radii and
-  /// p + s v the ray from the center, in units of about R + r, that is where
+  /// Returns all t at which the line crosses the surface, padded with infinity to four. With R and r the radii and p +
+  /// s v the ray from the center, in units of about R + r, that is where
   ///     (|p + s v|^2 + R^2 - r^2)^2 - 4 R^2 (its part across the axis)^2 = 0.
-  /// A ray from afar first goes to its point nearest to the center. Moved, multiplied out and evaluated in double-words
-  /// the quartic errs by less than 2^-95, which is 2^-95 R / r in distance: nothing, beside the rounding of t, for any
-  /// ring that can be seen. What is inside, and how close rays pass, is therefore decided as by exact arithmetic.
-  /// Own derivation; oracle: 113-bit arithmetic in tests/extremes/torus.cpp.
+  /// A ray from afar is first moved to its point nearest to the center. Moved, expanded and evaluated in double-words,
+  /// the quartic errs by less than 2^-95, which is 2^-95 R / r in distance: negligible compared with the rounding of t,
+  /// for any ring that is visible. Inside tests and near misses are therefore decided as by exact arithmetic. Own
+  /// derivation; oracle: 113-bit arithmetic in tests/extremes/torus.cpp.
   R3_USES_FMA
   Places<4> PlacesAlong(const Ray& ray) const {
     Places<4> crossings;
     crossings.at.fill(infinity);
     const double R = to_unit_ * major_, r = to_unit_ * minor_, largest = MaxComponent(Abs(ray.direction));
     if (!(largest > 0)) return crossings;
-    const double shorter = std::scalbn(1, -std::ilogb(largest));  // a power of two, as all of the units
+    const double shorter = std::scalbn(1, -std::ilogb(largest));  // a power of two, as are all of the units
     const Vector v = shorter * ray.direction;
     const auto from_center = [&](double o, double c) {
       const DoubleDouble p = ExactSum(o, -c);
@@ -233,7 +234,7 @@ class Torus : public Shape {
     DoubleDouble x = from_center(ray.origin.x, center_.x), y = from_center(ray.origin.y, center_.y),
                  z = from_center(ray.origin.z, center_.z);
     const Vector near{x.high, y.high, z.high};
-    constexpr double far_away = 16;  // up to here a start near the surface shall keep its sign
+    constexpr double far_away = 16;  // up to this distance, a start near the surface must keep its sign
     double start = 0;
     if (Length(near) > far_away) {
       start = -Dot(near, v) / Dot(v, v);

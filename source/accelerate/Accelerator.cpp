@@ -40,7 +40,7 @@ bool Accelerator::IsBehindUnbounded(const R3::Ray& ray, Workspace& workspace) co
 std::vector<WorldHit> Accelerator::HitsNear(const R3::Ray& ray, const WorldHit& nearest, Workspace& workspace) const {
   R3::Ray near = ray;
   near.t_max = std::min(ray.t_max, EndOfCoincidence(world_, nearest.t));
-  std::vector<WorldHit> hits{nearest};  // found again, unless t is so small that nothing is a little larger
+  std::vector<WorldHit> hits{nearest};  // found again, unless t is so small that no larger t is nearby
   std::optional<WorldHit> none;
   NearestHit all(world_, near, none, hits);
   Search(near, all, workspace);
@@ -59,7 +59,7 @@ std::vector<WorldHit> Accelerator::Coincident(const R3::Ray& ray, const WorldHit
 
 std::unique_ptr<Accelerator> AcceleratorKind::Make(const World& world, const AcceleratorSettings& settings) const {
   auto accelerator = build(world, settings);
-  if (accelerator->kind.empty()) accelerator->kind = name;  // `auto` gives back one of another kind
+  if (accelerator->kind.empty()) accelerator->kind = name;  // `auto` returns one of another kind
   return accelerator;
 }
 

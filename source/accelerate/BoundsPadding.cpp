@@ -5,13 +5,13 @@ namespace {
 
 constexpr double rounding = R3::Gamma(64);
 
-/// The rounding of points up to distance + 2 reach from the world's origin when seen from `frame`.
+/// Returns the rounding of points up to distance + 2 reach from the world's origin when mapped into `frame`.
 NodeBoundsPadding SeenFrom(const R3::Transform& frame, double reach) {
   const double stretch = MaxRowSum(frame.Inverse());
   return {2 * rounding * stretch, 2 * rounding * (stretch * 2 * reach + MaxTranslation(frame.Inverse()))};
 }
 
-/// By how much baking may have moved a shape, in its own frame.
+/// Returns a bound on the distance that baking may have moved a shape, in its own frame.
 double Baking(const R3::Transform& frame, double reach_within) {
   return rounding * MaxRowSum(frame.Inverse()) *
          (MaxRowSum(frame.Forward()) * reach_within + MaxTranslation(frame.Forward()));
@@ -33,7 +33,7 @@ std::vector<NodeBoundsPadding> PaddingOfNodes(const World& world) {
   for (std::uint32_t i = 0; i < nodes.size(); ++i)
     for (std::uint32_t k = 0; k < nodes[i].children; ++k) parents[nodes[i].first_child + k] = i;
 
-  // Children come after their parents, so backwards every node is complete when its turn comes.
+  // Children come after their parents, so in reverse order every node is complete when it is reached.
   for (std::size_t i = nodes.size(); i-- > 0;) {
     const FlatNode& flat = nodes[i];
     NodeBoundsPadding padding = paddings[i];  // the largest of the children's, in the node's own frame

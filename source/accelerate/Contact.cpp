@@ -9,7 +9,7 @@ namespace {
 
 constexpr double rounding_share = 64 * R3::unit_roundoff;  // see Contact.h
 
-/// A crossing as it is compared with others.
+/// A crossing in a form that can be compared with others.
 struct Crossing {
   R3::Vector normal;
   double along;  // n . direction
@@ -24,7 +24,7 @@ struct Crossing {
   }
 };
 
-/// Whether two primitives are triangles, of one mesh or each alone, with one or two corners in common.
+/// Returns true if two primitives are triangles, in one mesh or separate, with one or two common corners.
 bool AreNeighbors(const World& world, std::int64_t a, std::int64_t b) {
   const Instance &of_a = world.InstanceOf(a), &of_b = world.InstanceOf(b);
   if (!of_a.mesh || !of_b.mesh || of_a.frame != of_b.frame) return false;
@@ -35,7 +35,7 @@ bool AreNeighbors(const World& world, std::int64_t a, std::int64_t b) {
   return common == 1 || common == 2;
 }
 
-/// Whether the path has crossed the primitive here, itself or where it meets a neighbor.
+/// Returns true if the path has crossed the primitive here, or a neighbor where they meet.
 bool HasCrossed(const World& world, const R3::Ray& ray, std::int64_t primitive, const R3::Vector& normal) {
   const R3::Vector& arriving = ray.departure->arriving;
   for (const R3::Crossed* crossed = ray.departure->crossed; crossed; crossed = crossed->before) {
@@ -46,7 +46,7 @@ bool HasCrossed(const World& world, const R3::Ray& ray, std::int64_t primitive, 
   return false;
 }
 
-/// Half the size of what was hit, infinite for a plane.
+/// Returns half the size of the shape that was hit, infinite for a plane.
 double RadiusOf(const World& world, const WorldHit& hit) {
   const Instance& instance = world.Instances()[hit.instance];
   if (!instance.is_bounded) return R3::infinity;
@@ -73,7 +73,7 @@ struct Reference {
   double radius;
 };
 
-/// What crossing a surface does to what a path is inside of.
+/// The effect of crossing a surface on the set of media that contain the path.
 enum class MediumCrossing { none, entry, exit };
 
 MediumCrossing CrossingOf(const World& world, const R3::Ray& ray, const WorldHit& hit) {
@@ -100,7 +100,7 @@ bool IsInTheWay(const World& world, const R3::Ray& ray, const WorldHit& hit) {
   const double target = ray.reaching < 0 ? ray.t_max : ray.t_max / beyond_target;
   const Crossing crossing(world, ray, hit);
   if (!(std::abs((target - hit.t) * crossing.along) <= 2 * crossing.off)) return hit.t < target;
-  return world.Emits(hit) && world.PrimitiveId(hit) < ray.reaching;  // what the ray reaches emits
+  return world.Emits(hit) && world.PrimitiveId(hit) < ray.reaching;  // the target of the ray emits
 }
 
 std::vector<WorldHit> CoincidentOf(const World& world, const R3::Ray& ray, std::vector<WorldHit> hits) {

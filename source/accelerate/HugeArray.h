@@ -10,7 +10,7 @@
 
 namespace ray {
 
-/// Memory for many plain values, not initialized; on huge pages where it fills half of one.
+/// An uninitialized array of many plain values, on huge pages if it fills at least half of one.
 template <typename T>
 class HugeArray {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -10,26 +10,26 @@
 
 namespace ray {
 
-/// Finite, and going somewhere; no other ray hits anything.
+/// Returns true if the ray is finite with a nonzero direction; other rays hit nothing.
 inline bool IsRay(const R3::Ray& ray) {
   const R3::Point& o = ray.origin;
   const R3::Vector& d = ray.direction;
-  const double nought = 0 * o.x * o.y * o.z * d.x * d.y * d.z;  // NaN unless all are finite; no branch for each
+  const double nought = 0 * o.x * o.y * o.z * d.x * d.y * d.z;  // NaN unless all are finite; avoids a branch for each
   return (nought == 0) & (ray.t_min < ray.t_max) & (MaxComponent(Abs(d)) > 0);
 }
 
-// How a ray meets an element of an instance: `ray` is in the world, `local` in the instance's frame and may end
+// Tests of a ray against an element of an instance: `ray` is in the world, `local` in the instance's frame and may end
 // earlier.
 
-/// The first crossing from `begin` on that counts.
+/// Returns the first valid crossing from `begin` on.
 std::optional<R3::Hit> FirstAhead(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance,
                                   int element, double begin);
 
-/// The first crossing that counts, from one near the ray's start on.
+/// Returns the first valid crossing, starting at one near the ray's start.
 std::optional<R3::Hit> FirstAheadFrom(const World& world, const R3::Ray& ray, const R3::Ray& local,
                                       std::uint32_t instance, int element, const R3::Hit& near_start);
 
-/// The first crossing that counts; nothing where the ray starts or ends on the element and cannot meet it.
+/// Returns the first valid crossing; std::nullopt if the ray starts or ends on the element and cannot meet it.
 inline std::optional<R3::Hit> FirstCrossing(const World& world, const R3::Ray& ray, const R3::Ray& local,
                                             std::uint32_t instance, int element, Counts& counts) {
   const Instance& met = world.Instances()[instance];
@@ -44,13 +44,13 @@ inline std::optional<R3::Hit> FirstCrossing(const World& world, const R3::Ray& r
   return hit;
 }
 
-/// Returns true if the element is in the way of a shadow ray that crosses it at `hit`, or from `begin` on.
+/// Returns true if the element blocks a shadow ray that crosses it at `hit`, or from `begin` on.
 bool IsInTheWayAt(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance, int element,
                   const R3::Hit& hit);
 bool IsInTheWayFrom(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance, int element,
                     double begin);
 
-/// Whether the element is in the way of a shadow ray.
+/// Returns true if the element blocks a shadow ray.
 inline bool IsInTheWay(const World& world, const R3::Ray& ray, const R3::Ray& local, std::uint32_t instance,
                        int element, Counts& counts) {
   const Instance& met = world.Instances()[instance];
@@ -63,26 +63,26 @@ inline bool IsInTheWay(const World& world, const R3::Ray& ray, const R3::Ray& lo
   return hit && IsInTheWayAt(world, ray, local, instance, element, *hit);
 }
 
-/// The nearest hit so far, by a rule that makes all accelerators agree: smallest t, among equals lowest primitive id.
-/// If it may be coincident with others, Contact.h decides which of them is seen.
-/// It is kept where the answer is wanted. Whether others may be coincident with it is noted.
+/// The nearest hit so far, by a rule on which all accelerators agree: smallest t, among equals lowest primitive id. If
+/// it may be coincident with others, Contact.h decides which of them is visible. Written directly to the caller's
+/// result, with a mark if others may be coincident with it.
 class NearestHit {
  public:
-  /// Begins the search of a ray in the world: `best` becomes empty.
+  /// Starts the search for a ray in the world; clears `best`.
   NearestHit(const World& world, const R3::Ray& ray, std::optional<WorldHit>& best)
       : world_(world), ray_(ray), best_(best), limit_(ray.t_max) {
     best_.reset();
   }
-  /// Keeps all hits up to the ray's t_max in `all`, and no nearest one.
+  /// Collects all hits up to the ray's t_max in `all`, instead of the nearest one.
   NearestHit(const World& world, const R3::Ray& ray, std::optional<WorldHit>& none, std::vector<WorldHit>& all)
       : NearestHit(world, ray, none) {
     all_ = &all;
   }
 
-  /// No hit at a larger t is wanted any more.
+  /// Returns the limit beyond which hits are irrelevant.
   double Limit() const { return limit_; }
   const std::optional<WorldHit>& Best() const { return best_; }
-  /// The t_max of the ray, or less: a test that keeps below it misses no hit that is wanted.
+  /// Returns the smaller of the ray's t_max and the limit: a test up to it misses no relevant hit.
   double TMaxOf(const R3::Ray& ray) const { return std::min(ray.t_max, limit_); }
 
   /// Tests one element, with the ray already in the instance's frame.
@@ -91,12 +91,12 @@ class NearestHit {
                            : FirstCrossing(world_, ray_, local, instance, element, counts);
     if (hit) Offer({*hit, instance, element});
   }
-  /// Whether the element is in the way of a shadow ray.
+  /// Returns true if the element blocks a shadow ray.
   bool IsInTheWay(std::uint32_t instance, int element, const R3::Ray& local, Counts& counts) const {
     return ray::IsInTheWay(world_, ray_, local, instance, element, counts);
   }
 
-  // Test and IsInTheWay for an element whose crossing is known, and which the ray crosses only once.
+  // Variants of Test and IsInTheWay for an element whose crossing is known, and which the ray crosses only once.
   void TakeIfAhead(const WorldHit& hit) {
     if (!IsNearStart(ray_, hit.t) || IsAhead(world_, ray_, hit)) [[likely]]
       Offer(hit);
@@ -105,14 +105,13 @@ class NearestHit {
     return (!IsNearStart(ray_, hit.t) || IsAhead(world_, ray_, hit)) && ray::IsInTheWay(world_, ray_, hit);
   }
 
-  /// Takes a hit that is no farther than Limit, unless it is farther than the nearest or as far and of a higher
-  /// primitive.
+  /// Takes a hit at or before Limit, unless it is farther than the nearest, or equally far with a higher primitive.
   inline void Offer(const WorldHit& candidate) {
     if (all_) [[unlikely]]
       return all_->push_back(candidate);
     if (!best_) return Take(candidate, candidate.is_contested);
     const bool is_farther = candidate.t > best_->t;
-    // What is farther is offered only within the window.
+    // Farther hits are offered only within the window.
     const bool is_contested = is_farther || best_->t <= EndOfCoincidence(world_, candidate.t);
     if (is_farther || (candidate.t == best_->t && world_.PrimitiveId(candidate) >= world_.PrimitiveId(*best_)))
       best_->is_contested = true;
@@ -127,7 +126,8 @@ class NearestHit {
   }
 
   void Take(const WorldHit& candidate, bool is_contested) {
-    // Number by number: a copy of the whole, in wider pieces than were stored, waits until the stores are in the cache.
+    // Copied by member: a copy of the whole, in wider pieces than were stored, would wait until the stores reach the
+    // cache.
     WorldHit& best = best_ ? *best_ : best_.emplace();
     best.t = candidate.t, best.u = candidate.u, best.v = candidate.v, best.part = candidate.part;
     best.instance = candidate.instance, best.element = candidate.element;
@@ -142,7 +142,7 @@ class NearestHit {
   std::vector<WorldHit>* all_ = nullptr;
 };
 
-/// Sees a ray from one frame after the other, transforming it only when the frame changes.
+/// The ray in the frames of successive instances, transformed only when the frame changes.
 class LocalRays {
  public:
   LocalRays(const World& world, const R3::Ray& ray) : world_(world), ray_(ray) {}

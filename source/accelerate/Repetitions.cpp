@@ -14,7 +14,7 @@ namespace {
 
 bool AreSame(std::span<const double> a, std::span<const double> b) {
   if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i)  // -0 is not 0: what is done with it may differ
+  for (std::size_t i = 0; i < a.size(); ++i)  // -0 differs from 0: operations on it may differ
     if (std::bit_cast<std::uint64_t>(a[i]) != std::bit_cast<std::uint64_t>(b[i])) return false;
   return true;
 }
@@ -32,8 +32,8 @@ bool AreSame(const R3::Shape& a, const R3::Shape& b) {
          AreSame(made->arguments, other->arguments);
 }
 
-/// Hashes the kind of shape, its box in its own frame, and the frame: enough to tell most shapes apart without asking
-/// every one of a large scene what it is made from.
+/// Hashes the kind of shape, its box in its own frame, and the frame: enough to distinguish most shapes without
+/// computing the recipe of every one in a large scene.
 std::uint64_t HashOf(const Instance& instance, std::span<const R3::Transform> frames) {
   const R3::Shape& shape = *instance.shape;
   Hash hash;
@@ -42,13 +42,13 @@ std::uint64_t HashOf(const Instance& instance, std::span<const R3::Transform> fr
   const R3::Box& box = instance.node->bounds;
   for (const R3::Point& corner : {box.low, box.high})
     for (int axis = 0; axis < 3; ++axis) add(corner[axis]);
-  if (instance.frame == 0) return hash.Value();  // the world
+  if (instance.frame == 0) return hash.Value();  // the world's frame
   for (const auto& row : frames[instance.frame].Forward().m)
     for (const double entry : row) add(entry);
   return hash.Value();
 }
 
-/// An instance and its hash, in the order in which equal ones hide each other; see Contact.h.
+/// An instance and its hash, in the order in which equal instances hide each other; see Contact.h.
 struct Hashed {
   std::uint64_t hash;
   bool is_dark;
@@ -61,14 +61,14 @@ struct Hashed {
 
 void MarkRepetitions(std::span<Instance> instances, std::span<const R3::Transform> frames,
                      std::span<const R3::Vector> motions) {
-  const auto are_same_frames = [&](std::uint32_t a, std::uint32_t b) {
+  const auto is_same_frame = [&](std::uint32_t a, std::uint32_t b) {
     return a == b || (AreSame(frames[a].Forward(), frames[b].Forward()) &&
                       AreSame(frames[a].Inverse(), frames[b].Inverse()) && motions[a] == motions[b]);
   };
   std::vector<Hashed> hashed;
   hashed.reserve(instances.size());
   for (std::uint32_t i = 0; i < instances.size(); ++i)
-    if (!instances[i].mesh || instances[i].shared != Instance::not_shared)  // else it is nobody else's
+    if (!instances[i].mesh || instances[i].shared != Instance::not_shared)  // otherwise no other instance has it
       hashed.push_back({HashOf(instances[i], frames), IsBlack(instances[i].material->emission), i});
   std::sort(hashed.begin(), hashed.end());
   for (std::size_t first = 0, i = 1; i < hashed.size(); ++i) {
@@ -78,7 +78,7 @@ void MarkRepetitions(std::span<Instance> instances, std::span<const R3::Transfor
     }
     const Instance& seen = instances[hashed[first].instance];
     Instance& instance = instances[hashed[i].instance];
-    instance.is_repeated = are_same_frames(seen.frame, instance.frame) && AreSame(*seen.shape, *instance.shape);
+    instance.is_repeated = is_same_frame(seen.frame, instance.frame) && AreSame(*seen.shape, *instance.shape);
     instance.repeats = hashed[first].instance;
   }
 }

@@ -8,7 +8,7 @@
 
 namespace ray {
 
-/// What one thread keeps between rays: its counts, the places its last rays hit, memory for stacks. Reset at the start
+/// The state of one thread that persists between rays: its counts, its last hits, memory for stacks. Reset at the start
 /// of a tile, so that counts do not depend on which thread takes which tile.
 struct Workspace {
   struct LastHit {

@@ -16,10 +16,10 @@ std::string LeftOut(const Scene& scene, const Location& location) {
   std::string where = "the scene";
   if (location.line != 0 && location.file < scene.files.size())
     where = scene.files[location.file] + ":" + std::to_string(location.line) + ":" + std::to_string(location.column);
-  return where + ": warning: the transforms down to this group cannot be inverted in double precision; it is left out";
+  return where + ": warning: the transforms down to this group cannot be inverted in double precision; it is skipped";
 }
 
-/// Rays jump around in a mesh's corners.
+/// Moves a mesh to huge pages, since rays access its corners in random order.
 void PutOnHugePages(const R3::Mesh& mesh) {
   const R3::MeshData& data = mesh.Data();
   R1::PreferHugePages(data.positions.data(), data.positions.size() * sizeof(data.positions[0]));
@@ -28,7 +28,7 @@ void PutOnHugePages(const R3::Mesh& mesh) {
 
 }  // namespace
 
-/// From the world to a node while the graph is being flattened.
+/// The transform from the world to a node while the graph is being flattened.
 struct World::GroupTransform {
   R3::Product world_from_node;
   R3::Vector motion;  // in the world
@@ -51,27 +51,28 @@ World::World(const Scene& scene) : scene_(scene) {
     if (instance.mesh && instance.shared == Instance::not_shared) PutOnHugePages(*instance.mesh);
 }
 
-// Breadth first, without recursion: the graph may be 100,000 levels deep.
+// Breadth-first and not recursive: the graph may be 100,000 levels deep.
 void World::FlattenGraph() {
   frames_.emplace_back();
   motions_.emplace_back();
   nodes_.push_back({.node = &scene_.root});
-  std::vector<GroupTransform> transforms{GroupTransform{}};  // of nodes_[i], freed in waves: see below
+  std::vector<GroupTransform> transforms{GroupTransform{}};  // of nodes_[i], freed in batches: see below
   std::size_t first = 0;                                     // transforms[0] belongs to nodes_[first]
 
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    // Transforms are large and only those of pending nodes are needed; dropping them by halves keeps the cost linear.
+    // Transforms are large and only those of pending nodes are needed; dropping half of them at a time keeps the cost
+    // linear.
     if (i - first > 1024 && i - first > transforms.size() / 2) {
       transforms.erase(transforms.begin(), transforms.begin() + static_cast<std::ptrdiff_t>(i - first));
       first = i;
     }
     const Node& node = *nodes_[i].node;
-    assert(!node.shape || IsIdentity(node.transform));  // a shape's box is in the frame the shape itself is in
+    assert(!node.shape || IsIdentity(node.transform));  // a shape's box is in the frame of the shape itself
     GroupTransform group = transforms[i - first];
     if (!Enter(node, group)) continue;
     nodes_[i].frame = group.frame;
     nodes_[i].first_child = static_cast<std::uint32_t>(nodes_.size());
-    if (node.shape) continue;  // the solids below it are in its shape
+    if (node.shape) continue;  // the solids below it are part of its shape
     nodes_[i].children = static_cast<std::uint32_t>(node.children.size());
     for (const Node& child : node.children) {
       nodes_.push_back({.node = &child});
@@ -97,7 +98,7 @@ bool World::Enter(const Node& node, GroupTransform& group) {
   return true;
 }
 
-// Depth first, so that ids follow the order of the scene file; materials are inherited on the way.
+// Depth-first, so that ids follow the order of the scene file; materials are inherited on the way.
 void World::NumberInstances() {
   struct StackEntry {
     std::uint32_t node;
@@ -153,7 +154,7 @@ void World::BakeOrShareMeshes() {
       instance.shared = number.first->second;
     } else if (instance.frame != 0) {
       auto moved = motions_[instance.frame] == R3::Vector{} ? instance.mesh->Moved(frames_[instance.frame]) : nullptr;
-      if (!moved) {  // it moves in time, or too far: as good as shared, it keeps its frame
+      if (!moved) {  // moving or too far away: like a shared mesh, it keeps its frame
         instance.shared = static_cast<std::int32_t>(numbers.size());
         numbers.emplace(instance.mesh, instance.shared);
         shared_meshes_.push_back(instance.mesh);
@@ -193,11 +194,11 @@ const Material& World::MaterialOfPart(const Instance& instance, const R3::Hit& h
 }
 
 void World::MarkMedia() {
-  std::unordered_map<const R3::Mesh*, bool> are_closed;
+  std::unordered_map<const R3::Mesh*, bool> closed;
   const auto is_closed = [&](const Instance& instance) {
     if (!instance.TwoSidedMesh())
       return instance.is_bounded && instance.shape->IsSolid() && !instance.shape->IsDegenerate();
-    const auto [found, is_new] = are_closed.try_emplace(instance.mesh, false);
+    const auto [found, is_new] = closed.try_emplace(instance.mesh, false);
     if (is_new) found->second = instance.mesh->IsClosed();
     return found->second;
   };
@@ -210,7 +211,7 @@ void World::MarkMedia() {
 void World::BoundInstances() {
   for (Instance& instance : instances_) {
     if (instance.is_bounded) instance.bounds = InWorld(instance.frame, instance.node->bounds);
-    // The padding is that much larger than the error; what grows with the distance of rays is in R3/Departure.h.
+    // The padding exceeds the error by that factor; R3/Departure.h adds what grows with the distance of rays.
     instance.error = WorldBoundsPadding(frames_[instance.frame], Reach(instance.bounds)).constant;
     constexpr double window = 0x1p18 * R3::unit_roundoff;  // see EndOfCoincidence
     coincidence_window_ = std::max(coincidence_window_, window * Reach(instance.bounds));
@@ -232,14 +233,14 @@ R3::UvTangents World::UvTangentsAt(const R3::Ray& ray, const WorldHit& hit) cons
 }
 
 void World::BringToWorld(std::uint32_t frame, double time, R3::Intersection& at) const {
-  if (frame == 0) return;  // the world itself, which stands still
+  if (frame == 0) return;  // the world itself, which does not move
   if (!frames_[frame].IsIdentity()) at = frames_[frame] * at;
   if (moves_) Shift(time * motions_[frame], at);
 }
 
 void World::Shift(const R3::Vector& way, R3::Intersection& at) {
   at.position = at.position + way;
-  // One sum here, one on the way back.
+  // One sum here, one in the inverse direction.
   at.error = at.error + R3::Gamma(4) * (Abs(FromOrigin(at.position)) + Abs(way));
 }
 

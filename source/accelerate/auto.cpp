@@ -14,19 +14,19 @@
 namespace ray {
 namespace {
 
-// Box over triangle area from which a grid may be the faster structure; 3 is compact.
+// The ratio of box area to triangle area above which a grid may be faster; 3 is compact.
 constexpr double thin_from = 12;
-// The share of the time that rays would take in a tree that may be spent on the build of a grid. The fastest grid known
-// takes three tenths of a tree's time (hair). So a build that is given up makes a render at most 1.4 times as long, and
-// the tree then takes at most 1 / (0.4 + 0.3) times as long as the grid would have taken with its build.
+// The share of the time that rays would take in a tree that may be spent on building a grid. The fastest known grid
+// takes three tenths of a tree's time (hair). So an abandoned build makes a render at most 1.4 times as long, and
+// choosing the tree takes at most 1 / (0.4 + 0.3) times as long as the grid with its build would have.
 constexpr double share_for_build = 0.4;
-// The least that a grid takes to build, in seconds per primitive; of odd scenes the quickest took 3.3e-6.
+// The minimum build time of a grid, in seconds per primitive; the quickest of unusual scenes took 3.3e-6.
 constexpr double least_build_per_primitive = 2e-6;
-// The number of rays that are traced to find out how long they take, at the most, as a share of the expected rays.
+// The maximum number of rays traced to measure their time, as a share of the expected rays.
 constexpr double share_for_trial = 0.05;
 
-/// Area of the boxes of triangles over that of the triangles themselves, both sides: what a ray that enters a box
-/// has against it. About 3 for compact triangles in any position, over 100 for slanted hairs.
+/// Returns the area of the triangles' boxes over that of the triangles themselves, both sides: the number of box
+/// entries per hit. About 3 for compact triangles in any position, over 100 for slanted hairs.
 double Thinness(const PrimitiveSet& primitives) {
   constexpr std::uint32_t sample = 4096;
   const std::uint32_t step = std::max(1u, primitives.Size() / sample);
@@ -42,8 +42,8 @@ double Thinness(const PrimitiveSet& primitives) {
   return triangles > 0 && std::isfinite(boxes) ? boxes / triangles : 0;
 }
 
-/// Some of the rays that the render will trace: through side x side places of the camera's image, and on from where
-/// those hit.
+/// Returns some of the rays that the render will trace: through side x side points of the camera's image, and onward
+/// from their hits.
 std::vector<R3::Ray> RaysOf(const World& world, const Accelerator& accelerator, int side) {
   std::vector<R3::Ray> rays;
   Workspace workspace;
@@ -55,7 +55,7 @@ std::vector<R3::Ray> RaysOf(const World& world, const Accelerator& accelerator, 
       rays.push_back(ray);
       const auto hit = accelerator.Intersect(ray, workspace);
       if (!hit) continue;
-      // Directions all around, turned by the golden angle from one to the next.
+      // Directions all around, rotated by the golden angle from one to the next.
       const auto turn = R1::SinCosTurns((2 - std::numbers::phi) * static_cast<double>(rays.size()));
       const double up = 1 - 2 * std::fmod(0.618033988749895 * static_cast<double>(rays.size()), 1.0);
       const double out = std::sqrt(std::max(0.0, 1 - up * up));
@@ -72,7 +72,7 @@ double SecondsFor(const Accelerator& accelerator, const std::vector<R3::Ray>& ra
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// By name, and why.
+/// Makes the named accelerator and records the reason.
 std::unique_ptr<Accelerator> Take(const std::string& name, const std::string& reason, const World& world,
                                   const AcceleratorSettings& settings) {
   auto accelerator = FindAcceleratorKind(name)->Make(world, settings);
@@ -80,14 +80,14 @@ std::unique_ptr<Accelerator> Take(const std::string& name, const std::string& re
   return accelerator;
 }
 
-/// Returns true if there is one primitive at most, and testing it takes no longer than testing its box.
+/// Returns true if there is at most one primitive, and testing it takes no longer than testing its box.
 bool IsCheap(const World& world) {
   if (world.Primitives() == 0) return true;
   const auto is_cheap = [](const Instance& i) { return i.is_repeated || i.form != R3::Form::other; };
   return world.Primitives() == 1 && std::ranges::all_of(world.Instances(), is_cheap);
 }
 
-/// The least of some rounds, which is the least disturbed.
+/// Returns the shortest time of several rounds, which is the least disturbed one.
 double LeastSecondsFor(const Accelerator& accelerator, const std::vector<R3::Ray>& rays, int rounds) {
   double seconds = R3::infinity;
   for (int i = 0; i < rounds; ++i) seconds = std::min(seconds, SecondsFor(accelerator, rays));
@@ -96,7 +96,7 @@ double LeastSecondsFor(const Accelerator& accelerator, const std::vector<R3::Ray
 
 std::string Nanoseconds(double seconds) { return Fixed(1e9 * seconds, 0) + " ns per ray"; }
 
-/// The faster of a tree and a grid, whose build may take no longer than what it can save.
+/// Returns the faster of a tree and a grid, whose build may take no longer than it can save.
 std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, const AcceleratorSettings& settings) {
   auto bvh = FindAcceleratorKind("bvh")->Make(world, settings);
   const auto take_bvh = [&](const std::string& reason) {
@@ -104,7 +104,7 @@ std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, c
     return std::move(bvh);
   };
   constexpr int most_on_a_side = 20, first_rounds = 2, rounds = 5;
-  constexpr double rays_per_place = 2 * (first_rounds + 2 * rounds);  // through the camera, and on from what is hit
+  constexpr double rays_per_place = 2 * (first_rounds + 2 * rounds);  // through the camera, and onward from its hits
   const double places = share_for_trial * settings.expected_rays / rays_per_place;
   const int side = static_cast<int>(std::sqrt(std::clamp(places, 0.0, 1.0 * most_on_a_side * most_on_a_side)));
   if (side == 0) return take_bvh("too few rays to try a grid, though " + shown);
@@ -141,7 +141,7 @@ std::unique_ptr<Accelerator> Try(const std::string& shown, const World& world, c
   return faster;
 }
 
-/// By what the scene is made of, and between two that may both be right by trying them.
+/// Chooses by the composition of the scene, and tries both candidates if either may be faster.
 std::unique_ptr<Accelerator> Choose(const World& world, const AcceleratorSettings& settings) {
   const auto take = [&](const char* name, const std::string& reason) { return Take(name, reason, world, settings); };
   const std::string primitives = Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive");

@@ -7,10 +7,10 @@
 namespace ray {
 namespace {
 
-// The scene graph itself, as the course builds it: a box around each node in its parent's coordinates (Rubin and
-// Whitted, A 3-dimensional representation for fast rendering of complex scenes, 1980), children visited from front to
-// back (Kay and Kajiya, Ray tracing complex scenes, 1986), and what the last ray hit tested first (Haines and
-// Greenberg, The light buffer, 1986, for shadow rays).
+// The scene graph itself, as in the course: a box around each node in its parent's coordinates (Rubin and Whitted, A
+// 3-dimensional representation for fast rendering of complex scenes, 1980), children visited from front to back (Kay
+// and Kajiya, Ray tracing complex scenes, 1986), and the last ray's hit tested first (Haines and Greenberg, The light
+// buffer, 1986, for shadow rays).
 class Graph : public Accelerator {
  public:
   Graph(const World& world, const AcceleratorSettings& settings)
@@ -77,7 +77,7 @@ class Graph : public Accelerator {
     while (!stack.empty()) {
       const Workspace::StackEntry next = stack.back();
       stack.pop_back();
-      if (next.entry > limit) continue;  // fell behind a hit found meanwhile
+      if (next.entry > limit) continue;  // behind a hit found in the meantime
       ++workspace.counts.node_visits;
       const FlatNode& flat = world_.Nodes()[next.node];
       if (flat.instance >= 0) {
@@ -90,7 +90,7 @@ class Graph : public Accelerator {
       if (flat.children == 0) continue;
       const R3::BoxRay seen(local.In(flat.frame));
       const std::size_t first = stack.size();
-      // Last child first, so that without sorting the stack gives them in the order of the file.
+      // Last child first, so that without sorting the stack returns them in file order.
       for (std::uint32_t k = flat.children; k-- > 0;)
         PushIfReached(flat.first_child + k, seen, distance, limit, workspace);
       if (settings_.front_to_back)
@@ -100,7 +100,7 @@ class Graph : public Accelerator {
     }
   }
 
-  /// `seen` is the ray in the frame that the node's box is in: its parent's.
+  /// Pushes a node if its box is reached; `seen` is the ray in the frame of the node's box: its parent's.
   void PushIfReached(std::uint32_t node, R3::BoxRay seen, double distance, double limit, Workspace& workspace) const {
     if (!settings_.node_boxes && !settings_.front_to_back) {
       workspace.stack.push_back({seen.t_min, node});
@@ -113,7 +113,7 @@ class Graph : public Accelerator {
         R3::Entry(world_.Nodes()[node].node->bounds, seen, padding.per_distance * distance + padding.constant);
     if (entry)
       workspace.stack.push_back({*entry, node});
-    else if (!settings_.node_boxes)  // the box only says when, not whether
+    else if (!settings_.node_boxes)  // the box only affects the order
       workspace.stack.push_back({seen.t_min, node});
   }
 

@@ -10,7 +10,7 @@
 #include "source/accelerate/wide/ClippedPrimitive.h"
 #include "source/text/Words.h"
 
-// Highway compiles this file once for each instruction set. What does not depend on that is included before.
+// Highway compiles this file once per instruction set. Everything independent of that is included before.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "source/accelerate/grid.cpp"
 #include <hwy/foreach_target.h>
@@ -22,12 +22,13 @@
 #define RAY_ACCELERATE_GRID
 namespace ray {
 
-/// ClippedPrimitives go into every cell that they touch when both are widened by this, in the structure's coordinates.
-/// It covers the plane error of every ray for which that is at most half of it; other rays test everything.
+/// The padding, in the structure's coordinates, with which ClippedPrimitives are assigned to every cell that they
+/// touch. It covers the plane error of every ray for which that error is at most half of it; other rays test
+/// everything.
 inline constexpr double cell_padding = 0x1p-17;
 
-/// Equal cells in rows, columns and layers; cells that hold very many primitives have a grid of their own. What lies in
-/// a cell is a child of a tree of boxes.
+/// Equal cells in rows, columns and layers; cells that contain very many primitives have their own grid. The contents
+/// of a cell are a child of a tree of boxes.
 struct Grid : wide::Tree {
   static constexpr bool meets_primitives_again = true;
 
@@ -58,17 +59,17 @@ struct Grid : wide::Tree {
 
   using Tree::Tree;
 
-  std::vector<Level> levels;  // the outermost first
-  /// Children of the tree; one that is nothing, but has an index, has the level of that number inside.
+  std::vector<Level> levels;  // the outermost level first
+  /// Children of the tree. A `nothing` child with an index contains the level of that number.
   std::vector<std::uint32_t> cells;
 
-  /// 0, which is inside no cell, where there is none.
+  /// Returns the level inside a cell; 0 if there is none, since level 0 is never inside a cell.
   static std::uint32_t LevelInside(std::uint32_t cell) {
     return wide::Child::IsNothing(cell) ? cell - wide::Child::nothing : 0;
   }
   static std::uint32_t CellWithLevel(std::uint32_t level) { return wide::Child::nothing + level; }
 
-  /// Cells are no boxes within boxes.
+  /// Returns 0, since cells are not nested boxes.
   int BoxLevels() const { return 0; }
   std::vector<R3::Box> BoxesAt(int) const { return {}; }
 
@@ -91,7 +92,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ray {
 namespace HWY_NAMESPACE {
 
-/// Traversal of the cells of all levels.
+/// Traverses the cells of all levels.
 template <bool any, typename LeafVisitor>
 class GridTraversal {
  public:
@@ -121,7 +122,7 @@ class GridTraversal {
   }
 
  private:
-  /// What lies in a cell; true when that ends the search.
+  /// Visits the contents of a cell; returns true if that ends the search.
   HWY_INLINE bool Visit(std::uint32_t cell) {
     if (wide::Child::KindOf(cell) == wide::Child::Kind::triangles)
       return visitor_.VisitTriangles(grid_.At<TriangleBlock>(cell));
@@ -132,7 +133,7 @@ class GridTraversal {
     return visitor_.is_answered;
   }
 
-  /// 3D-DDA: from cell to cell in the order of the ray; true when the search is over.
+  /// Moves from cell to cell in the order of the ray by 3D-DDA; returns true if the search is over.
   ///   source  Amanatides, Woo, A fast voxel traversal algorithm for ray tracing (1987)
   bool Through(const Grid::Level& level, double enter, double leave) {
     std::array<double, 3> next, step;
@@ -157,7 +158,7 @@ class GridTraversal {
       } else if (Visit(cell)) {
         return true;
       }
-      // What is nearer than the way out has been met: it lies, widened, in the cells up to here.
+      // Hits nearer than the exit have been found: they lie, padded, in the cells up to here.
       if (static_cast<double>(visitor_.limit) < next[a]) return true;
       if (next[a] > leave) return false;
       at[a] += onward[a];
@@ -172,7 +173,7 @@ class GridTraversal {
   LeafVisitor& visitor_;
   Counts& counts_;
   NodeRay node_ray_;
-  double along_[3];  // nowhere flatter than `flattest`
+  double along_[3];  // no component is flatter than `flattest`
   std::uint64_t visits_ = 0;
 };
 
@@ -196,12 +197,12 @@ using wide::ClippedPrimitives;
 
 HWY_EXPORT(ChooseGrid);
 
-constexpr double usual_density = 0.03;  // cells per primitive: nodes of full blocks want full cells (bench/kernels)
-// Primitives that are so many times in cells of that size are long: they are better told apart in finer ones.
+constexpr double usual_density = 0.03;  // cells per primitive; nodes of full blocks suit full cells (bench/kernels)
+// Primitives that average this many references in cells of that size are long: finer cells separate them better.
 constexpr double long_from = 3, finer = 10;
-constexpr std::size_t crowd = 64;   // primitives of a cell that are worth a grid of their own
-constexpr int most_levels = 3;      // one inside the other
-constexpr double most_growth = 12;  // references to a primitive, on all levels together
+constexpr std::size_t crowd = 64;   // number of primitives in a cell that is worth a grid of its own
+constexpr int most_levels = 3;      // of nested grids
+constexpr double most_growth = 12;  // total references per primitive, on all levels together
 constexpr double most_cells = 1 << 25;
 constexpr double most_on_an_axis = 1 << 14;
 
@@ -232,13 +233,13 @@ class GridBuilder {
     return {point(box.low, -cell_padding), point(box.high, cell_padding)};
   }
 
-  /// The primitives of every cell, one cell after the other: those of cell c from starts[c] to starts[c + 1].
+  /// The primitives of every cell in order: those of cell c from starts[c] to starts[c + 1].
   struct Sorted {
     std::vector<std::uint32_t> starts;
     ClippedPrimitives primitives;
   };
 
-  /// Returns the level's number. `growth` is how many times as many references may be made of these.
+  /// Returns the level's number. `growth` limits the references made per given primitive.
   std::uint32_t Divide(const R3::Box& box, const ClippedPrimitives& primitives, int depth, double growth) {
     const auto number = static_cast<std::uint32_t>(grid_.levels.size());
     Grid::Level level;
@@ -264,8 +265,8 @@ class GridBuilder {
     return number;
   }
 
-  /// Sets how many cells the level has: as the density says, fewer until what is long and slanted does not fill the
-  /// memory, and where `may_be_finer`, more for what is long.
+  /// Sets the number of cells of the level by the density: fewer if long, slanted primitives would fill the memory, and
+  /// more for long ones if `may_be_finer`.
   Sorted ChooseCells(Grid::Level& level, const ClippedPrimitives& primitives, double most, bool may_be_finer) {
     const double count = static_cast<double>(primitives.size());
     double cells = std::clamp(density_ * count, 1.0, most_cells);
@@ -278,7 +279,7 @@ class GridBuilder {
       }
       const auto references = static_cast<double>(sorted->primitives.size());
       if (level.Cells() > 1 && references > count * static_cast<double>(level.Cells()) / 2) {
-        cells = 1;  // they tell nothing apart
+        cells = 1;  // cells do not separate the primitives
       } else if (may_be_finer && references > long_from * count) {
         may_be_finer = false;
         cells = std::min(cells * finer, most_cells);
@@ -288,16 +289,16 @@ class GridBuilder {
     }
   }
 
-  /// About so many cells, as near to cubes as can be.
+  /// Sets about this many cells, as close to cubes as possible.
   static void SetCounts(Grid::Level& level, double cells) {
     const R3::Vector size = level.box.high - level.box.low;
     const double longest = MaxComponent(size);
-    // Flat axes first: what they cannot take is left to the others.
+    // Flat axes first: the other axes take the cells that they cannot use.
     std::array<std::size_t, 3> order{0, 1, 2};
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return size[static_cast<int>(a)] < size[static_cast<int>(b)]; });
     double left = cells;
-    // No share of the longest side is 0: boxes are widened by cell_padding, and cells are hardly flatter than the box
+    // No share of the longest side is 0: boxes are padded by cell_padding, and cells are hardly flatter than the box
     // that they divide.
     double volume = 1;
     for (int axis = 0; axis < 3; ++axis) volume *= size[axis] / longest;
@@ -313,7 +314,7 @@ class GridBuilder {
     level.size = {size.x / level.count[0], size.y / level.count[1], size.z / level.count[2]};
   }
 
-  /// Nothing when there are more than `most`.
+  /// Sorts the primitives into cells; std::nullopt if there are more than `most`.
   std::optional<Sorted> Sort(const Grid::Level& level, const ClippedPrimitives& primitives, double most) const {
     std::vector<std::pair<std::size_t, ClippedPrimitive>> found;  // with their cells
     for (const ClippedPrimitive& primitive : primitives) {
@@ -348,7 +349,7 @@ class GridBuilder {
     return sorted;
   }
 
-  /// Counts a unit of work, some of which take a microsecond; throws when time is up.
+  /// Counts a unit of work, which may take up to a microsecond; throws when time is up.
   void Work() const {
     constexpr std::uint64_t units_per_look = 256;
     if (++work_ % units_per_look == 0 &&
@@ -365,7 +366,7 @@ class GridBuilder {
   double density_, most_seconds_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   mutable std::uint64_t work_ = 0;
-  std::vector<wide::BuildChild> children_;  // of every cell
+  std::vector<wide::BuildChild> children_;  // of each cell
   wide::SubtreeBuilder subtrees_;
 };
 

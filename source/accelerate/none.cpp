@@ -4,7 +4,7 @@
 namespace ray {
 namespace {
 
-// Tests every primitive: the oracle of all the others, and right for a handful of primitives.
+// Tests every primitive: the oracle for all other accelerators, and the best choice for a handful of primitives.
 class BruteForce : public Accelerator {
  public:
   using Accelerator::Accelerator;
@@ -23,7 +23,7 @@ class BruteForce : public Accelerator {
     });
   }
 
-  /// Goes through all elements until one is found that ends the search; whether there is one.
+  /// Tests all elements until one ends the search; returns true if one did.
   template <typename Test>
   bool ForEachUntil(const R3::Ray& ray, const Test& ends) const {
     LocalRays local(world_, ray);

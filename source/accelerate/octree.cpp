@@ -15,7 +15,7 @@ using wide::BuildNode;
 using wide::ClippedPrimitive;
 using wide::ClippedPrimitives;
 
-// A node of full blocks; fewer are slower and take twice the memory (bench/kernels).
+// One node of full blocks; smaller leaves are slower and take twice the memory (bench/kernels).
 constexpr std::size_t usual_leaf = 64;
 constexpr int usual_depth = 20;
 
@@ -33,9 +33,9 @@ struct Cube {
   }
 };
 
-/// A cube halved along all three axes again and again, where that is worth it. An octant is known by the box of what
-/// lies in it, not by its own: boxes of octants do not overlap, and are visited from front to back, eight tested at a
-/// time by the traversal that all wide trees share. Chains of nodes with a single octant are left out.
+/// A builder of octrees: cubes halved along all three axes repeatedly, where that pays. An octant is represented by the
+/// box of its contents, not by its cube: the boxes of octants do not overlap, and are visited from front to back, eight
+/// tested at a time by the traversal that all wide trees share. Chains of nodes with a single octant are collapsed.
 ///   source  Glassner, Space subdivision for fast ray tracing (1984)
 class OctreeBuilder {
  public:
@@ -48,17 +48,17 @@ class OctreeBuilder {
     tree_.coordinates = FitCoordinates(tree_.primitives);
     ClippedPrimitives all(count);
     tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) { all[i] = Unclipped(tree_, i); });
-    // Beyond 1, so that nothing is rounded out of it.
+    // Slightly larger than 1, so that rounding excludes nothing.
     const BuildChild root = Divide(std::move(all), {R3::Point{}, 1 + 0x1p-10}, 0, most_growth);
     tree_.root = wide::Flatten({&root, 1}, tree_)[0];
   }
 
  private:
-  // Memory is bounded by how often primitives may be referred to: in all, and by one division.
+  // Memory is bounded by limits on the references per primitive: in total, and per division.
   static constexpr double most_growth = 8, most_growth_at_once = 3;
   static constexpr std::size_t parallel_from = 4096;
 
-  /// `growth` is how many times as many references may be made of these.
+  /// Divides the primitives; `growth` limits the references made per given primitive.
   BuildChild Divide(ClippedPrimitives primitives, const Cube& cube, int depth, double growth) {
     if (primitives.size() <= leaf_ || depth >= depth_) return subtrees_.Build(primitives);
     std::array<ClippedPrimitives, 8> octants;
@@ -93,7 +93,7 @@ class OctreeBuilder {
     return ChildOf(node);
   }
 
-  /// Into the octants that the primitive reaches, cut where it is a triangle.
+  /// Distributes a primitive to the octants that it reaches, clipped if it is a triangle.
   void Distribute(const ClippedPrimitive& primitive, const Cube& cube,
                   std::array<ClippedPrimitives, 8>& octants) const {
     unsigned below = 0, above = 0;  // axes, as bits, along which it reaches to either side of the middle

@@ -21,31 +21,31 @@
 namespace ray {
 namespace {
 
-/// What `tell` says of a scene that is ready to be traced.
-template <typename Tell>
-std::string OfBuiltScene(const Options& all, const Tell& tell) {
+/// Returns the answer of `describe` for a scene that is ready for tracing.
+template <typename Describe>
+std::string DescribeBuiltScene(const Options& all, const Describe& describe) {
   const ReadScene read(As<RenderOptions>(all));
-  TellAll(read.parsed.warnings);
+  PrintLines(read.parsed.warnings);
   const PreparedScene scene(read);
-  TellAll(scene.world.Warnings());
-  return tell(scene.world, *scene.accelerator, read.options);
+  PrintLines(scene.world.Warnings());
+  return describe(scene.world, *scene.accelerator, read.options);
 }
 
 }  // namespace
 
 namespace answer {
 
-/// Everything that rendering would do short of the first ray, and a look for likely mistakes.
+/// Does everything before the first ray of a render, and checks for likely mistakes.
 std::string Check(const Options& all) {
   const auto& asked = As<RenderOptions>(all);
-  if (!asked.files.picture.empty()) CheckOutputs(asked.files, RegionOf(asked.render));
+  if (!asked.files.image.empty()) CheckOutputs(asked.files, RegionOf(asked.render));
   const ReadScene read(asked);
   const auto& [parsed, options] = read;
   const World world(parsed.scene);
   std::vector<std::string> warnings = parsed.warnings;
   for (const std::string& warning : world.Warnings()) warnings.push_back(warning);
   for (const std::string& mistake : LikelyMistakes(world, options.render)) warnings.push_back(mistake);
-  TellAll(warnings);
+  PrintLines(warnings);
   if (options.quiet) return {};
   std::string settings;
   for (const std::string& setting : SettingsInForce(parsed.scene, asked)) settings += "  " + setting + "\n";
@@ -57,9 +57,9 @@ std::string Check(const Options& all) {
 std::string Files(const Options& all) {
   const auto& options = As<RenderOptions>(all);
   const ParsedScene parsed = Parse(options.files.scene, options.parse);
-  TellAll(parsed.warnings);
+  PrintLines(parsed.warnings);
   std::string lines;
-  for (const std::string& file : parsed.scene.files) lines += file + "\n";  // as it is: for programs
+  for (const std::string& file : parsed.scene.files) lines += file + "\n";  // unescaped, for programs
   return lines;
 }
 
@@ -68,25 +68,25 @@ std::string Convert(const Options& all) {
   const OutputFile scn = CheckScnOutput(options.subject, options.files.scene);
   const ParsedScene parsed = Parse(options.files.scene, options.parse);
   RefuseInputs(scn, parsed.scene.files);
-  WithSettingsOf(parsed.scene, options);  // a setting that is wrong is the original's mistake
-  TellAll(parsed.warnings);
+  WithSettingsOf(parsed.scene, options);  // a wrong setting is a mistake in the original
+  PrintLines(parsed.warnings);
   return WriteSceneAsScn(parsed.scene, scn, options.quiet);
 }
 
 std::string Advise(const Options& all) {
-  return OfBuiltScene(all, [](const World& world, const Accelerator& accelerator, const RenderOptions& options) {
+  return DescribeBuiltScene(all, [](const World& world, const Accelerator& accelerator, const RenderOptions& options) {
     return Advice(world, accelerator, options, CpuSeconds());
   });
 }
 
 std::string RaysOfPixel(const Options& all) {
-  return OfBuiltScene(all, [](const World& world, const Accelerator& accelerator, const RenderOptions& options) {
+  return DescribeBuiltScene(all, [](const World& world, const Accelerator& accelerator, const RenderOptions& options) {
     return DebugPixel(world, accelerator, options.render, options.pixel->x, options.pixel->y,
                       options.verbose ? Digits::all : Digits::five);
   });
 }
 
-std::string Info(const Options& options) { return PictureInfo(options.subject); }
+std::string Info(const Options& options) { return ImageInfo(options.subject); }
 std::string Help(const Options& options) { return ray::Help(*options.program, options.subject); }
 std::string Version(const Options& options) { return ray::Version(*options.program); }
 std::string List(const Options& options) { return Listing(*options.program, options.subject, options.keys); }

@@ -6,14 +6,14 @@ namespace ray {
 
 struct Options;
 
-/// What requests print. Those of a scene take RenderOptions.
+/// The output of requests. Those about a scene take RenderOptions.
 namespace answer {
 
-/// Does everything that rendering would short of the first ray, and names likely mistakes.
+/// Does everything before the first ray of a render, and returns a summary with likely mistakes.
 std::string Check(const Options& options);
 std::string Files(const Options& options);
 std::string Advise(const Options& options);
-/// Writes the scene as .scn too.
+/// Writes the scene as .scn.
 std::string Convert(const Options& options);
 std::string RaysOfPixel(const Options& options);
 std::string Info(const Options& options);
@@ -25,7 +25,7 @@ std::string Manual(const Options& options);
 
 }  // namespace answer
 
-/// Prints what is asked for instead of the program's own work.
+/// Prints the answer to the request instead of doing the program's own work.
 void AnswerRequest(const Options& options);
 
 }  // namespace ray

@@ -9,7 +9,7 @@
 #include "source/app/files/Outputs.h"
 #include "source/app/files/PartFiles.h"
 #include "source/app/files/SceneHash.h"
-#include "source/app/options/PictureName.h"
+#include "source/app/options/ImageName.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Progress.h"
 #include "source/app/report/Resources.h"
@@ -36,39 +36,39 @@ struct SharedScene : ReadScene {
   std::string identity;  // see IdentityOf
 };
 
-/// What the part begins with: the round, with what an earlier run left of it.
+/// Returns the initial state of the part: the round, with the samples of an earlier run.
 RenderState BeginningOf(PartReader& reader, const RenderOptions& options, const std::string& name) {
   RenderState state = reader.Round();
   if (options.checkpoint.restart || !IsThere(name)) return state;
   auto earlier = reader.Read(name);
   if (!earlier) return state;
   if (earlier->part != *options.render.part)
-    throw OutputError("cannot write " + QuotedPath(name) + ": it holds another part; -restart renders over it");
+    throw OutputError("cannot write " + QuotedPath(name) + ": it contains another part; -restart renders over it");
   state.rays = earlier->state.rays;
   TakeBlocks(state, std::move(earlier->state), earlier->part.index, reader.PartsOf(earlier->part.of));
   return state;
 }
 
-/// Rendering has less time than the whole, since the process that assembles the image reads and builds the scene as
-/// this one did, and filters the image.
+/// Returns the settings for the remaining time. Rendering has less time than the whole, since the process that
+/// assembles the image reads and builds the scene as this one did, and filters the image.
 ///   before_samples   what this process took for that, in seconds
-///   filters          whether to leave time for them
+///   filters          whether to reserve time for the filters
 RenderSettings SettingsInTime(const RenderOptions& options, double before_samples, bool filters) {
   constexpr double least = 1e-3;  // seconds; 0 would be no limit
   RenderSettings settings = options.render;
-  Budget& budget = settings.budget = BudgetWithFinish(settings, EncoderOf(options.files.picture, options.encoding));
+  Budget& budget = settings.budget = BudgetWithFinish(settings, EncoderOf(options.files.image, options.encoding));
   const double kept = before_samples + (filters ? budget.seconds_to_filter : 0);
   if (budget.seconds > 0) budget.seconds = std::max(least, budget.seconds - kept);
   return settings;
 }
 
-/// Whether the time that is left is as long as the first round took, which had the fewest samples.
+/// Returns true if the remaining time is at least that of the first round, which had the fewest samples.
 bool HasTimeForRound(const RenderOptions& options, const PartReader& reader, const RenderState& round) {
   const double first = round.passes.empty() ? 0 : round.passes.front().seconds;
   return reader.SecondsSinceBegin().value_or(0) + first < options.render.budget.seconds;
 }
 
-/// Decides on what follows a round that is over; nothing when the image is done.
+/// Returns the next round after one that is complete; std::nullopt if the image is done.
 ///   watch   runs since the process began
 std::optional<RenderState> PlannedRound(const SharedScene& scene, const PartReader& reader, RenderState&& round,
                                         const Stopwatch& watch) {
@@ -80,19 +80,18 @@ std::optional<RenderState> PlannedRound(const SharedScene& scene, const PartRead
 }
 
 std::string FilesOfParts(const RenderOptions& options) {
-  return options.parts.empty() ? options.files.picture + ".part-*-of-" + std::to_string(options.missing)
-                               : options.parts;
+  return options.parts.empty() ? options.files.image + ".part-*-of-" + std::to_string(options.missing) : options.parts;
 }
 
 int RenderOnePart(const RenderOptions& asked) {
   const Stopwatch watch;
   const SharedScene scene(asked);
   const RenderOptions& options = scene.options;
-  const std::string name = PartName(options.files.picture, *options.render.part);
+  const std::string name = PartName(options.files.image, *options.render.part);
   CheckOutput(name, scene.parsed.scene.files);
-  PartReader reader(options.render, options.files.picture, scene.identity);
-  if (options.render.budget.seconds > 0 && !IsThere(PlanName(options.files.picture)))
-    throw UsageError("-part with -time needs " + QuotedPath(PlanName(options.files.picture)) +
+  PartReader reader(options.render, options.files.image, scene.identity);
+  if (options.render.budget.seconds > 0 && !IsThere(PlanName(options.files.image)))
+    throw UsageError("-part with -time needs " + QuotedPath(PlanName(options.files.image)) +
                      ", which records when the render began; -missing n writes it");
   RenderState beginning = BeginningOf(reader, options, name);
   const PreparedScene prepared(scene);
@@ -125,10 +124,10 @@ void PrintMissingParts(const RenderOptions& asked) {
   const SharedScene scene(asked);
   const RenderOptions& options = scene.options;
   const bool is_timed = options.render.budget.seconds > 0;
-  PartReader reader(options.render, options.files.picture, scene.identity);
+  PartReader reader(options.render, options.files.image, scene.identity);
   const PartWriter writer(options.render, options.files, scene.identity);
   if (is_timed && !reader.SecondsSinceBegin()) writer.WritePlan(reader.Round(), watch.Total());
-  RenderState round = reader.Joined(FilesLike(FilesOfParts(options), options.files.picture), options.missing);
+  RenderState round = reader.Joined(FilesLike(FilesOfParts(options), options.files.image), options.missing);
   const auto lines_of = [&](const RenderState& state) {
     std::string lines;
     for (const int part : MissingParts(state, options.render, reader.PartsOf(options.missing)))
@@ -141,7 +140,7 @@ void PrintMissingParts(const RenderOptions& asked) {
   auto next = PlannedRound(scene, reader, std::move(round), watch);
   if (!next || (is_timed && !HasTimeForRound(options, reader, *next))) return;
   const std::string of_next = lines_of(*next);
-  // The plan is there before anyone can be asked to follow it.
+  // The plan is written before anyone needs it.
   writer.WritePlan(std::move(*next), is_timed ? reader.SecondsSinceBegin().value_or(0) : 0);
   WriteStandardOutput(of_next);
 }

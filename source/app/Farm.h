@@ -2,14 +2,14 @@
 
 #include "source/app/options/RenderOptions.h"
 
-/// What raypro does where many machines render one image: it cuts, plans and says what is missing. Assembling is a
-/// render that begins with the samples of the parts.
+/// raypro's part in rendering one image on many machines: it divides, plans and lists missing parts. Assembling is a
+/// render that starts with the samples of the parts.
 namespace ray {
 
-/// Where options.render.part is set, renders it into its file, for one round; the blocks that the file holds already
-/// are not rendered again. Otherwise prints the parts of options.missing that are to be rendered in this round, a
-/// number per line. Where none are, it decides on the next round and writes its plan; it prints nothing when all that
-/// is left is assembling. With -time the first call writes a plan, too, since time counts from then on.
+/// If options.render.part is set, renders that part into its file, for one round; blocks that the file already contains
+/// are not rendered again. Otherwise prints the parts of options.missing that remain to be rendered in this round, one
+/// number per line. If none remain, it decides on the next round and writes its plan; it prints nothing if only
+/// assembling is left. With -time the first call also writes a plan, since time counts from then on.
 ///   returns   the exit status
 int DoShareOfImage(const RenderOptions& options);
 

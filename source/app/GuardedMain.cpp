@@ -24,32 +24,32 @@ int Fail(int exit_status, const std::string& message) {
   return exit_status;
 }
 
-// Given back once there is no more memory: destructors that allocate, as those of nlohmann's JSON do, cannot fail, and
-// messages are worded and half-written files removed with what is left. 1 MiB is more than a report of a million blocks
-// of 8x8 pixels takes to be destroyed at a time; nothing is ever written there, so that it costs no memory.
+// Released when memory runs out: destructors that allocate, as those of nlohmann's JSON do, cannot fail, and the rest
+// is used to format messages and remove partially written files. 1 MiB is more than destroying a report of a million
+// blocks of 8x8 pixels takes at a time; it is never written to, so that it costs no memory.
 constexpr std::size_t reserve_bytes = std::size_t{1} << 20;
 std::atomic<void*> reserve{nullptr};
 
-/// Handler for operator new, which tries again when this returns.
+/// Handler for operator new, which retries when this returns.
 void GiveReserveBack() {
   void* const given = reserve.exchange(nullptr);
   if (!given) throw std::bad_alloc();
   std::free(given);
 }
 
-/// Keeps oneTBB from asking the system for more threads than it gives.
+/// Keeps oneTBB from requesting more threads than the system allows.
 void LimitThreads(const std::string& program) {
   const int usual = tbb::info::default_concurrency(), threads = ThreadsAvailable(usual);
   if (threads == usual) return;
   PrintError(program + "warning: the system allows " + Counted(static_cast<std::uint64_t>(threads), "thread") +
              " instead of " + std::to_string(usual) + "; continuing with that");
-  // To the very end: once it is gone, oneTBB would make the threads that it then may.
+  // Static, because oneTBB would create more threads after its destruction.
   static const auto* const limit =
       new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   (void)limit;
 }
 
-/// Returns the message with a hint if it quotes a word that only looks right.
+/// Returns the message with a hint if it quotes a word with look-alike characters.
 std::string WithLookAlikes(const std::string& message, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     const std::string hint = LookAlikeHint(word);
@@ -78,7 +78,7 @@ int Guarded(const Program& program, const std::function<int()>& run) {
   } catch (const OutputError& error) {
     return Fail(status::cannot_write, name + error.what());
   } catch (const std::bad_alloc&) {
-    return Fail(program.failed, name + "there is not enough memory");
+    return Fail(program.failed, name + "not enough memory");
   } catch (const std::exception& error) {
     return Fail(program.failed, name + error.what());
   }

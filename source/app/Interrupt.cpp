@@ -15,14 +15,14 @@
 namespace ray {
 namespace {
 
-// A signal handler reaches nothing but statics, and of those only what is lock-free.
+// Signal handlers may use only lock-free static variables.
 std::atomic<bool> stop{false}, had_urgent{false};
 std::atomic<int> stop_signal{0};
 std::atomic<const char*> doomed_file{nullptr};
 static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-/// A signal that asks to stop.
-///   is_urgent   the second of these ends the program at once. Others come again by themselves: SIGHUP from a terminal
+/// A signal that requests a stop.
+///   is_urgent   the second of these ends the program at once. Others repeat by themselves: SIGHUP from a terminal
 ///               and from its shell, before or after a SIGTERM, and SIGXCPU with each further second.
 struct StopSignalKind {
   int number;
@@ -51,12 +51,12 @@ void Catch(const StopSignalKind& signal) {
   if (action.sa_handler == SIG_IGN) return;
   action = {};
   action.sa_handler = signal.is_urgent ? OnInterrupt<true> : OnInterrupt<false>;
-  action.sa_flags = SA_RESTART;  // a write in progress goes on
+  action.sa_flags = SA_RESTART;  // a write in progress continues
   sigaction(signal.number, &action, nullptr);
 }
 
-/// Asks for SIGXCPU before the hard limit of processor time, where the system sends SIGKILL instead: by a tenth of it,
-/// and 1 to 10 seconds, in which the image is encoded.
+/// Requests SIGXCPU before the hard limit of processor time, at which the system sends SIGKILL: earlier by a tenth of
+/// it, within 1 to 10 seconds, in which the image is encoded.
 void StopBeforeHardLimit() {
   rlimit limit = {};
   if (getrlimit(RLIMIT_CPU, &limit) != 0 || limit.rlim_max == RLIM_INFINITY) return;
@@ -77,8 +77,8 @@ void Ignore(int signal) {
 void GuardStandardStreams() {
   Ignore(SIGPIPE);
   Ignore(SIGXFSZ);
-  // open() gives the lowest free descriptor, so this fills every gap below 3. Nothing can be written there, so
-  // with standard output closed, output that goes nowhere is an error.
+  // open() returns the lowest free descriptor, so this fills every gap below 3. Nothing can be written there, so that
+  // output to a closed standard output is an error.
   int descriptor = open("/dev/null", O_RDONLY);
   while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDONLY);
   if (descriptor >= 0) close(descriptor);

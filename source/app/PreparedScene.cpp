@@ -14,7 +14,7 @@ ParsedScene ParsedFor(const RenderOptions& asked) {
 }
 
 std::unique_ptr<const Accelerator> AcceleratorFor(const World& world, const RenderOptions& options) {
-  CheckMemory(world, PictureBytes(options.render, options.files, options.checkpoint.seconds > 0), options.memory);
+  CheckMemory(world, ImageBytes(options.render, options.files, options.checkpoint.seconds > 0), options.memory);
   AcceleratorSettings settings = options.accelerator;
   settings.expected_rays = ExpectedRays(options.render);
   return FindAcceleratorKind(settings.name)->Make(world, settings);

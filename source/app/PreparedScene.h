@@ -6,23 +6,22 @@
 #include "source/accelerate/World.h"
 #include "source/app/options/RenderOptions.h"
 
-/// The one way of a scene from its file to the first ray.
+/// The path of a scene from its file to the first ray, shared by all programs.
 namespace ray {
 
-/// A scene as its file states it, and the options with its own settings among them.
+/// A scene as stated in its file, and the options including its own settings.
 struct ReadScene {
-  /// Throws UsageError, for this machine too, and SceneErrors.
+  /// Reads the scene. Throws UsageError, also for options that this machine does not support, and SceneErrors.
   explicit ReadScene(const RenderOptions& asked);
 
   ParsedScene parsed;
   RenderOptions options;
 };
 
-/// A scene that rays can be traced in, with the accelerator that the options ask for, built for about as many rays as
-/// the render will trace.
+/// A scene ready for tracing, with the requested accelerator, built for about as many rays as the render will trace.
 struct PreparedScene {
-  /// Throws UsageError where scene, structure and image would take more memory than they may.
-  ///   read   is referred to, and lives longer
+  /// Builds it. Throws UsageError if scene, structure and image would exceed the memory limit.
+  ///   read   must outlive this
   explicit PreparedScene(const ReadScene& read);
 
   World world;

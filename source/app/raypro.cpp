@@ -12,14 +12,14 @@
 #include "source/app/PreparedScene.h"
 #include "source/app/Status.h"
 #include "source/app/files/Checkpoint.h"
-#include "source/app/files/LayerPictures.h"
+#include "source/app/files/LayerImages.h"
 #include "source/app/files/Outputs.h"
 #include "source/app/files/PartFiles.h"
 #include "source/app/files/ReadInputs.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Comp30019.h"
 #include "source/app/options/FileNames.h"
-#include "source/app/options/PictureName.h"
+#include "source/app/options/ImageName.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Progress.h"
 #include "source/app/report/ReadReplay.h"
@@ -40,7 +40,7 @@ RenderResult RenderAndLog(const World& world, const Accelerator& accelerator, co
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(run_log.stats());
   RenderMonitor monitor;
-  monitor.encode = EncoderOf(options.files.picture, options.encoding);
+  monitor.encode = EncoderOf(options.files.image, options.encoding);
   settings.budget = BudgetWithFinish(settings, monitor.encode);
   if (settings.budget.seconds > 0) run_log.WillFinishIn(settings.budget);
   Progress progress(ChooseProgressStyle(options.quiet));
@@ -48,7 +48,7 @@ RenderResult RenderAndLog(const World& world, const Accelerator& accelerator, co
   monitor.stop = StopRequested();
   monitor.tile_done = tile_done;
   monitor.seconds_before = run_log.SecondsSoFar();
-  const auto parts = [&] { return PartReader(options.render, options.files.picture, identity); };
+  const auto parts = [&] { return PartReader(options.render, options.files.image, identity); };
   if (settings.budget.seconds > 0 && !options.parts.empty())
     if (const auto since_begin = parts().SecondsSinceBegin()) {
       monitor.seconds_before = *since_begin;
@@ -76,7 +76,7 @@ std::vector<R2::Image> RenderLayers(const World& world, const Accelerator& accel
   return layers;
 }
 
-/// The true error, where there is something to tell it by.
+/// Compares with references, if there are any, and reports the true error.
 void Compare(const RenderResult& result, const std::vector<R2::Image>& references, const RenderOptions& options,
              RunLog& run_log) {
   if (references.empty()) return;
@@ -85,14 +85,14 @@ void Compare(const RenderResult& result, const std::vector<R2::Image>& reference
   run_log.Compared(TrueError(result.image, references[0], references.size() > 1 ? &references[1] : nullptr, measure));
 }
 
-int MakePicture(const RenderOptions& asked, const Words& words) {
+int MakeImage(const RenderOptions& asked, const Words& words) {
   RunLog run_log(words);
   const Outputs outputs = CheckOutputs(asked.files, RegionOf(asked.render));
   const ReadScene read(asked);
   const RenderOptions& options = read.options;
   RefuseInputs(outputs, read.parsed.scene.files);
   RefuseSize(*outputs.format, options.render.width, options.render.height);
-  const auto checkpoint = outputs.picture.is_standard_output
+  const auto checkpoint = outputs.image.is_standard_output
                               ? nullptr
                               : std::make_unique<Checkpoint>(options.files, options.checkpoint, options.as_course);
   const std::vector<R2::Image> references = ReadReferences(options.files.reference, RegionOf(options.render));
@@ -108,8 +108,8 @@ int MakePicture(const RenderOptions& asked, const Words& words) {
   Compare(result, references, options, run_log);
 
   const auto layers = result.IsComplete() ? RenderLayers(world, *accelerator, options) : std::vector<R2::Image>{};
-  run_log.Written(WritePicture(outputs, result, layers, run_log.stats()).name);
-  if (result.IsComplete() && checkpoint) checkpoint->PictureIsFinished(options.checkpoint.keep);
+  run_log.Written(WriteImage(outputs, result, layers, run_log.stats()).name);
+  if (result.IsComplete() && checkpoint) checkpoint->ImageIsFinished(options.checkpoint.keep);
   run_log.ExplainIfBlack(world, *accelerator, result.image);
   WriteReport(outputs, run_log.stats());
   run_log.Summarize();
@@ -122,10 +122,10 @@ int DoOne(const RenderOptions& options, const Words& words) {
     AnswerRequest(options);
     return status::done;
   }
-  return options.render.part || options.missing > 0 ? DoShareOfImage(options) : MakePicture(options, words);
+  return options.render.part || options.missing > 0 ? DoShareOfImage(options) : MakeImage(options, words);
 }
 
-/// Every file that one of the scenes is read from. A scene that cannot be read says so in its turn.
+/// Returns every file from which one of the scenes is read. Scenes that cannot be read report that later.
 std::vector<std::string> InputsOfAll(const RenderOptions& all) {
   std::vector<std::string> inputs;
   for (const std::string& scene : all.scenes) {
@@ -139,19 +139,19 @@ std::vector<std::string> InputsOfAll(const RenderOptions& all) {
   return inputs;
 }
 
-/// Whether a picture, or what is written with it, would take the place of a file.
+/// Returns true if the image, or a file written with it, would replace an existing file.
 bool ReplacesAny(const Outputs& outputs) {
   const auto is_there = [](const OutputFile& output) { return std::filesystem::exists(output.target); };
-  return is_there(outputs.picture) || is_there(outputs.partial) || std::ranges::any_of(outputs.layers, is_there);
+  return is_there(outputs.image) || is_there(outputs.partial) || std::ranges::any_of(outputs.layers, is_there);
 }
 
-/// The picture of one scene must not become the texture of the next. All scenes are read before the first is rendered
-/// only where a file would be replaced, for that takes its time.
+/// The input files of all scenes, since the image of one scene must not overwrite the texture of the next. Reading all
+/// scenes before the first render takes time, so it happens only if a file would be replaced.
 class InputsOfBatch {
  public:
   explicit InputsOfBatch(const RenderOptions& all) : all_(all) {}
 
-  /// Throws OutputError.
+  /// Throws OutputError if an output of the scene is an input of any scene.
   void Protect(const RenderOptions& one) {
     const Outputs outputs = CheckOutputs(one.files, RegionOf(one.render));
     if (!ReplacesAny(outputs)) return;
@@ -164,7 +164,7 @@ class InputsOfBatch {
   std::optional<std::vector<std::string>> inputs_;
 };
 
-/// Each scene for itself: what is wrong with one keeps none of the others from being rendered.
+/// Renders the scenes independently: an error in one does not stop the others.
 int DoEach(const RenderOptions& all, const Words& words) {
   if (!std::filesystem::is_directory(all.out_folder))
     throw OutputError("cannot write into " + Quoted(all.out_folder) + ": there is no such folder");
@@ -173,7 +173,7 @@ int DoEach(const RenderOptions& all, const Words& words) {
   for (const std::string& scene : all.scenes) {
     RenderOptions one = all;
     one.files.scene = scene;
-    one.files.picture = PictureInFolder(all.out_folder, scene, all.out_format);
+    one.files.image = ImageInFolder(all.out_folder, scene, all.out_format);
     const int ended = Guarded(Program::raypro, [&] {
       if (!one.request)
         inputs.Protect(one);
@@ -204,7 +204,7 @@ int main(int argc, char** argv) {
   const auto look = [&] { return is_of_course = comp30019::IsAskedFor(argc, argv), status::done; };
   if (const int failed = Guarded(Program::raypro, look)) return failed;
   if (!is_of_course) return GuardedMain(Program::raypro, argc, argv, RunAsRaypro);
-  // The course knows two statuses.
+  // The course has only two statuses.
   const int ended = GuardedMain(Program::raypro, argc, argv, RunAsComp30019);
   return ended == status::done ? status::done : status::failed;
 }

@@ -1,4 +1,4 @@
-// rayview shows a scene and traces what is seen. Its options are in OptionTable.cpp, beside raypro's.
+// rayview shows a scene and traces the view. Its options are in RenderTable.cpp, next to raypro's.
 #include <algorithm>
 #include <filesystem>
 #include <future>
@@ -26,11 +26,11 @@
 namespace ray {
 namespace {
 
-/// Whether a window stays open for a user.
+/// Returns true if a window stays open for a user.
 bool StaysOpen(const ViewOptions& view) { return IsLookedAt(view) && !view.exit_immediately; }
 
-/// The scene; or nothing, with the files that are to be looked at again, where a user who edits them can see in a
-/// window what is wrong.
+/// Returns the scene. If it has mistakes and the user can see them in a window while editing the files, returns the
+/// mistakes and a scene with the files to watch.
 std::shared_ptr<const LoadedScene> SceneFor(const ViewerOptions& asked, std::optional<SceneErrors>& mistakes) {
   try {
     return std::make_shared<const LoadedScene>(asked.files.scene, asked.parse, asked.accelerator);
@@ -58,8 +58,8 @@ int ViewScene(const ViewerOptions& asked) {
   const auto scene = loading.get();
   const ViewerOptions options = WithSettingsOf(scene->parsed.scene, asked);
   RefuseInputs(outputs, scene->parsed.scene.files);
-  TellAll(scene->parsed.warnings);
-  TellAll(scene->world.Warnings());
+  PrintLines(scene->parsed.warnings);
+  PrintLines(scene->world.Warnings());
   try {
     return View(asked, options, outputs, scene, mistakes ? &*mistakes : nullptr, std::move(window));
   } catch (const ContextError&) {

@@ -27,7 +27,7 @@ R2::Image Linear(R2::Image image) {
   return image;
 }
 
-/// Colors are light, or weights of light; heights and directions may be negative.
+/// Checks the values of a texture. Colors are light, or weights of light; heights and directions may be negative.
 void CheckTexels(const R2::Image& image, const FoundFile& file, Assets::Use use) {
   const bool is_color = use == Assets::Use::color;
   const auto is_fit = [&](float value) { return std::isfinite(value) && (value >= 0 || !is_color); };
@@ -42,8 +42,8 @@ void CheckTexels(const R2::Image& image, const FoundFile& file, Assets::Use use)
                   {}};
 }
 
-/// The name by which the very same mesh can be read again, if there is one. A link may have an extension that tells
-/// more than that of the file it leads to.
+/// Returns the name by which the same mesh can be read again, or an empty text. A link may have a more specific
+/// extension than the file it leads to.
 std::string KnownAs(const FoundFile& file, const Assets::Shading& shading) {
   const bool is_of_file = shading.normals != Assets::Shading::Normals::by_angle;
   const bool says_format = MeshFormatForName(file.canonical) == MeshFormatForName(file.shown);
@@ -60,7 +60,7 @@ Assets::BoxedMesh Boxed(R3::MeshData data, const Assets::Shading& shading, std::
 }  // namespace
 
 std::string Assets::Read(const FoundFile& file) {
-  files_read_.insert(file.shown);  // a mesh may be read twice, once for each way of shading it
+  files_read_.insert(file.shown);  // a mesh may be read twice, once for each kind of shading
   return files_.Read(file);
 }
 
@@ -149,7 +149,7 @@ std::shared_ptr<const Environment> Assets::EnvironmentNamed(const std::string& n
   const auto [place, is_new] = environments_.try_emplace(file.canonical);
   if (!is_new) return place->second;
   if (environment_is_replaced_)
-    files_read_.insert(file.shown);  // it is the scene's all the same
+    files_read_.insert(file.shown);  // it belongs to the scene anyway
   else
     place->second = EnvironmentOf(file, Read(file));
   return place->second;
@@ -172,7 +172,7 @@ R2::Image Assets::DecodeImage(const FoundFile& file, const std::string& bytes, U
   try {
     const R2::ImageSize size = R2::ReadImageSize(BytesOf(bytes));
     texels_ += std::int64_t{size.width} * size.height;
-    // Asked before decoding: a small file can hold a large picture, and a scene can name many.
+    // Checked before decoding: a small file can contain a large image, and a scene can name many.
     if (texels_ > R2::max_pixels)
       throw FileError{"the scene's textures have more than " + std::to_string(R2::max_pixels) + " texels", {}};
     constexpr std::int64_t bytes_per_texel = 3 * sizeof(float);

@@ -31,66 +31,67 @@ class Assets {
         environment_is_replaced_(!options.environment.empty()),
         max_texture_bytes_(options.max_texture_bytes) {}
 
-  /// A mesh and the box around it, which costs a walk over all triangles.
+  /// A mesh and the box around it, whose computation visits all triangles.
   struct BoxedMesh {
     std::shared_ptr<const R3::Mesh> mesh;
     R3::Box bounds;
-    bool has_look = false;  // the file says materials, textures or colors
+    bool has_look = false;  // the file has materials, textures or colors
   };
-  /// Where the normals come from that a mesh is shaded with.
+  /// The source of the normals for shading a mesh.
   struct Shading {
     enum class Normals {
       of_triangles,       // flat
-      of_file,            // where it has any
-      of_file_or_groups,  // or of its smoothing groups
-      wanted,             // the same, and a warning where it has neither
-      by_angle            // made anew
+      of_file,            // if it has any
+      of_file_or_groups,  // or those of its smoothing groups
+      wanted,             // the same, with a warning if it has neither
+      by_angle            // computed
     };
     Normals normals = Normals::of_triangles;
-    double degrees = 0;  // by_angle: up to which triangles are smoothed
+    double degrees = 0;  // by_angle: the largest angle between triangles that are smoothed
 
     friend auto operator<=>(const Shading&, const Shading&) = default;
   };
 
-  /// Throws FileError when the naming word is to blame, SceneError for a place in the mesh file. A file that failed
-  /// before gives a null mesh: once reported is enough.
+  /// Returns a mesh. Throws FileError if the name is at fault, SceneError for a mistake in the mesh file. If the file
+  /// failed before, returns a null mesh, since one report is enough.
   BoxedMesh Mesh(const std::string& name, const std::string& named_in, const Shading& shading);
-  /// A mesh whose file is found already.
+  /// Returns the mesh of a file that was already found.
   BoxedMesh MeshOf(const FoundFile& file, const Shading& shading);
 
-  /// A mesh cut by the materials that its file says.
+  /// A mesh split by the materials that its file states.
   struct Model {
     struct Part {
       BoxedMesh mesh;
-      std::optional<std::size_t> material;  // index into `materials`; nothing where the file says none
+      std::optional<std::size_t> material;  // index into `materials`; std::nullopt if the file states none
     };
     std::vector<Material> materials;
     std::vector<Part> parts;
   };
-  /// Throws as Mesh does; null when the file failed before.
+  /// Returns a model. Throws like Mesh; null if the file failed before.
   std::shared_ptr<const Model> ModelNamed(const std::string& name, const std::string& named_in, const Shading& shading);
   std::shared_ptr<const Model> ModelOf(const FoundFile& file, const Shading& shading);
 
-  /// A file beside another, or in the current folder. Throws FileError.
+  /// Finds a file next to another, or in the current folder. Throws FileError.
   FoundFile Find(const std::string& name, const std::string& named_in) const { return files_.Find(name, named_in); }
-  /// Its bytes; it then counts as read. Throws FileError.
+  /// Returns its bytes; it then counts as read. Throws FileError.
   std::string Read(const FoundFile& file);
 
-  /// From now on 8-bit colors are sRGB. False, and nothing done, where images or meshes were read otherwise before.
+  /// Interprets 8-bit colors as sRGB from now on. Returns false, without effect, if images or meshes were already read
+  /// otherwise.
   bool DecodeSrgb();
 
-  /// What a picture's values are: colors, which a linear workflow decodes from 8 bits, or numbers, which it does not.
+  /// The meaning of an image's values: colors, which a linear workflow decodes from 8 bits, or data, which it does not.
   enum class Use { color, data };
-  /// Throws FileError; null when the file failed before.
+  /// Returns a texture. Throws FileError; null if the file failed before.
   std::shared_ptr<const Texture> Image(const std::string& name, const std::string& named_in, Use use);
 
-  /// Light from all around. Throws FileError; null when the file failed before, or the options name another
-  /// environment: then the file is found and not decoded.
+  /// Returns an environment. Throws FileError; null if the file failed before, or if the options name another
+  /// environment: then the file is found but not decoded.
   std::shared_ptr<const Environment> EnvironmentNamed(const std::string& name, const std::string& named_in);
-  /// Loads the file at the top of `files`, which the user named and which may lie anywhere. Throws FileError.
+  /// Loads the file at the top of `files`, which the user named and which may be anywhere. Throws FileError.
   std::shared_ptr<const Environment> EnvironmentAtTop(const Files& files);
 
-  /// The files read so far, as they are shown to the user.
+  /// Returns the files read so far, as shown to the user.
   const std::set<std::string>& FilesRead() const { return files_read_; }
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 using R3::CsgOperation, R3::CsgPart;
 
-/// From the csg to a node below it.
+/// The transform from the csg to a node below it.
 struct Frame {
   R3::Product csg_from_node;
   R3::Matrix magnitudes;  // the product of the magnitudes of the same matrices
@@ -34,8 +34,8 @@ struct Frame {
   }
 };
 
-/// A link of a chain is a word that places, or a matrix as a program has printed it: every entry is taken to be off by
-/// eight roundings, as a product of three such words is.
+/// Returns the slack of a solid. A link of a chain is a transform command, or a matrix printed by a program: every
+/// entry is assumed to be off by eight roundings, as a product of three such commands is.
 double SlackOf(const Frame& frame, const R3::Shape& solid) {
   const R3::Box box = Bounds(solid);
   if (frame.links == 0 || box.IsEmpty()) return 0;
@@ -47,7 +47,7 @@ double SlackOf(const Frame& frame, const R3::Shape& solid) {
 CsgPart SolidOf(const Node& node, int parent, const Frame& frame, int material) {
   const auto transform = R3::Transform::Of(frame.csg_from_node);
   CsgPart part{.parent = parent, .material = material};
-  if (!transform) return part;  // a union of nothing
+  if (!transform) return part;  // an empty union
   part.solid = node.shape;
   part.csg_from_solid = *transform;
   part.slack = SlackOf(frame, *node.shape);
@@ -56,7 +56,7 @@ CsgPart SolidOf(const Node& node, int parent, const Frame& frame, int material) 
 
 }  // namespace
 
-// Without recursion: see Node.
+// Not recursive: see Node.
 std::shared_ptr<const R3::Shape> CsgOf(const Node& csg) {
   struct Waiting {
     const Node* node;
@@ -76,7 +76,7 @@ std::shared_ptr<const R3::Shape> CsgOf(const Node& csg) {
     }
     next.frame.Append(node.transform);
     int self = next.parent;
-    // Groups that do nothing are left out, so that a long chain of them costs no ray anything.
+    // Groups without effect are skipped, so that a long chain of them does not slow down rays.
     const auto is_group_in = [&](CsgOperation operation) {
       return parts[static_cast<std::size_t>(self)].operation == operation;
     };

@@ -19,7 +19,7 @@ bool IsBelow(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-/// Without the empty last part that a trailing slash leaves.
+/// Returns the canonical path without the empty last part after a trailing slash.
 std::optional<std::string> CanonicalFolder(const fs::path& folder) {
   std::error_code error;
   fs::path canonical = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
@@ -27,7 +27,7 @@ std::optional<std::string> CanonicalFolder(const fs::path& folder) {
   return canonical.string();
 }
 
-/// The path as this system writes it: Windows has backslashes.
+/// Returns the path with slashes; Windows uses backslashes.
 std::string WithSlashes(std::string path) {
   std::ranges::replace(path, '\\', '/');
   return path;
@@ -41,7 +41,7 @@ bool IsForeign(std::string_view path) {
   return IsUpward(path) || path.starts_with('/') || path.starts_with("~/") || has_drive;
 }
 
-/// Returns the places, relative to the folder of the file that names it, in which to look for a file of a foreign path.
+/// Returns the paths, relative to the folder of the file that names it, where a file with a foreign path is searched.
 std::vector<std::string> PlacesOf(const std::string& foreign) {
   std::string_view below = foreign;
   while (IsUpward(below)) below.remove_prefix(3);
@@ -53,7 +53,7 @@ std::vector<std::string> PlacesOf(const std::string& foreign) {
 }
 
 /// Returns the nearest name of a regular file in the folder, or an empty text. Files with the extension `unlike` count
-/// only if the missing one has it as well, since a scene is no texture.
+/// only if the missing one has it as well, since a scene is not a texture.
 std::string SimilarFile(const fs::path& folder, const fs::path& name, const std::string& unlike) {
   constexpr int most_listed = 10'000;
   std::vector<std::string> names;
@@ -71,7 +71,7 @@ std::string SimilarFile(const fs::path& folder, const fs::path& name, const std:
   return nearest.empty() ? "" : (name.parent_path() / nearest).string();
 }
 
-/// A hint, or none.
+/// Returns a "did you mean" hint, or an empty text.
 std::string Meaning(const std::string& file) { return file.empty() ? "" : "did you mean " + Quoted(file) + "?"; }
 
 }  // namespace
@@ -82,7 +82,7 @@ Files::Files(const std::string& top_scene, const std::vector<std::string>& allow
     if (auto root = CanonicalFolder(folder)) roots_.push_back(std::move(*root));
   for (const std::string& folder : allowed_folders) {
     auto root = CanonicalFolder(folder);
-    // Else it would be allowed without a word, and its files be refused.
+    // Otherwise it would be accepted silently, and its files refused later.
     if (!root) throw FileError{"-allow_path " + QuotedPath(folder) + ": there is no such folder", {}};
     if (!fs::is_directory(*root)) throw FileError{"-allow_path " + QuotedPath(folder) + ": it is not a folder", {}};
     roots_.push_back(std::move(*root));
@@ -94,7 +94,7 @@ FoundFile Files::Top() const {
   std::error_code error;
   const fs::path canonical = fs::canonical(top_, error);
   std::error_code ignored;
-  if (error && fs::exists(top_, ignored)) return {top_, top_};  // a pipe, which has no path: Read says so
+  if (error && fs::exists(top_, ignored)) return {top_, top_};  // a pipe, which has no path: Read reports it
   if (error == std::errc::no_such_file_or_directory) {
     const bool lacks_extension = fs::exists(top_ + ".scn", error);
     const fs::path folder = fs::path(top_).parent_path();
@@ -127,7 +127,7 @@ std::optional<FoundFile> Files::FindElsewhere(std::span<const std::string> folde
     for (const std::string& place : PlacesOf(path)) try {
         const auto found = FindAt(folder, place, refusal);
         if (!found) continue;
-        remarks_.insert(Quoted(name) + " is not there; " + Quoted(found->shown) + " is read");
+        remarks_.insert(Quoted(name) + " does not exist; reading " + Quoted(found->shown) + " instead");
         return found;
       } catch (const FileError& error) {
         refusal = error;
@@ -138,7 +138,7 @@ std::optional<FoundFile> Files::FindElsewhere(std::span<const std::string> folde
 
 std::optional<FoundFile> Files::FindAt(const std::string& folder, const std::string& name,
                                        std::optional<FileError>& denied) const {
-  const fs::path candidate = fs::path(folder) / name;  // the name alone where that is absolute
+  const fs::path candidate = fs::path(folder) / name;  // only the name if that is absolute
   std::error_code error;
   const fs::path canonical = fs::canonical(candidate, error);
   if (error == std::errc::no_such_file_or_directory) return {};
@@ -154,7 +154,7 @@ std::optional<FoundFile> Files::FindAt(const std::string& folder, const std::str
   return FoundFile{candidate.lexically_normal().string(), canonical.string()};
 }
 
-/// Looks only where the file might have been read from.
+/// Returns a similar name; searches only folders that the file might have been read from.
 std::string Files::SimilarIn(std::span<const std::string> folders, const std::string& name) const {
   const std::string extension = LowerCase(fs::path(top_).extension().string());
   const fs::path wanted(WithSlashes(name));

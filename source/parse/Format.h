@@ -12,23 +12,23 @@ namespace ray {
 class Assets;
 class Document;
 
-/// One line of formats.def: a language scenes are written in. Its reader is one of two.
+/// One line of formats.def: a language for scenes. It has one of two reader functions.
 struct SceneFormat {
   const char* name;
   std::vector<const char*> extensions;  // lower case, with the dot
-  const char* about;                    // one line
-  /// Reads the scene that is at the top of `files`; mistakes and remarks go to `report`, and with one mistake there the
-  /// scene is worth nothing.
+  const char* about;                    // one line of help
+  /// Reads the scene at the top of `files`; mistakes and remarks go to `report`. After a mistake the returned scene is
+  /// meaningless.
   Scene (*read)(const Files& files, const ParseOptions& options, Assets& assets, Report& report) = nullptr;
-  /// Reads a scene in a language within YAML or JSON.
+  /// Reads a scene in a language based on YAML or JSON.
   Scene (*read_document)(const ParseOptions& options, const Document& document, Assets& assets,
                          Report& report) = nullptr;
-  /// Keys at the top of a document by which this language is known among those that share its extension.
+  /// The top-level keys that distinguish this language from others with the same extension.
   std::vector<const char*> keys{};
-  bool has_variables = false;  // ParseOptions::definitions are for it
+  bool has_variables = false;  // ParseOptions::definitions apply to it
 };
 
-/// Every one, in the order of formats.def.
+/// Returns all formats, in the order of formats.def.
 std::span<const SceneFormat* const> SceneFormats();
 
 /// Returns true if a file's extension, in any letter case, is that of a scene.

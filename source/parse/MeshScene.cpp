@@ -17,22 +17,23 @@
 namespace ray {
 namespace {
 
-/// Where a mesh stands: up, and towards whoever looks at its front.
+/// The orientation of a mesh: its up direction, and the direction of its front.
 struct Stand {
   R3::Vector up, front;
 };
 
-/// Programs that write STL, for printers and machines, have z up; the others y.
+/// Programs that write STL, for printers and machines, have z up; others have y up.
 Stand StandOf(const std::string& file) {
   const bool is_stl = LowerCase(std::filesystem::path(file).extension().string()) == ".stl";
   return is_stl ? Stand{{0, 0, 1}, {0, -1, 0}} : Stand{{0, 1, 0}, {0, 0, 1}};
 }
 
-constexpr double to_the_side = 0.6, above = 0.24;  // radians that the camera stands beside the front, and looks down
+constexpr double to_the_side = 0.6, above = 0.24;  // camera position in radians, to the side of the front and above it
 constexpr double half_angle = 0.32;
-constexpr double filled = 0.92;  // of the picture's width or height
+constexpr double filled = 0.92;  // share of the image's width or height
 
-/// The whole model, which lies in a box, in three-quarter view, for pictures of that aspect.
+/// Returns a camera that shows the whole model, which is inside the box, in three-quarter view, for images with that
+/// aspect.
 Camera CameraOn(const Assets::Model& model, const R3::Box& box, const Stand& stand, double aspect) {
   const R3::Vector side = Cross(stand.up, stand.front);
   const R3::Vector level = R1::Cos(to_the_side) * stand.front + R1::Sin(to_the_side) * side;
@@ -61,7 +62,7 @@ void AddLight(Scene& scene, const R2::Color& color, const R3::Vector& along) {
   scene.lights.push_back(FindLightKind("dir_light")->make(arguments));
 }
 
-/// A sun from above and before the model, to the left as the camera sees it, and less light from the other side.
+/// Adds a sun above and in front of the model, to the left as seen by the camera, and weaker light from the other side.
 void Light(Scene& scene, const Camera& camera, const Stand& stand) {
   scene.background = {0.62, 0.72, 0.86};
   scene.ambient = {0.22, 0.24, 0.27};
@@ -74,9 +75,9 @@ int AddDiffuse(Scene& scene, const R2::Color& kd) {
   return static_cast<int>(scene.materials.size()) - 1;
 }
 
-/// A plane below the box, and not in one plane with what may lie at its bottom.
+/// Returns a plane below the box, at a distance from faces at its bottom.
 Node Ground(Scene& scene, const R3::Box& box, const Stand& stand) {
-  constexpr double gap = 1e-3;  // of the model's radius: less than a pixel of a thousand
+  constexpr double gap = 1e-3;  // of the model's radius: less than a pixel out of a thousand
   const R3::Point p = box.low - gap * box.Radius() * stand.up;
   const R3::Vector n = stand.up;
   Node node;
@@ -100,7 +101,7 @@ void AddModel(SceneBuilder& builder, const FoundFile& file, const std::shared_pt
   scene.camera = CameraOn(*model, box, stand, aspect);
   Light(scene, scene.camera, stand);
   builder.has_camera = builder.has_light = true;
-  // Models are cut into triangles as programs like; what shines in them is no brighter for it.
+  // Programs triangulate models arbitrarily; that must not change the brightness of emissive parts.
   const bool shines = std::ranges::any_of(scene.materials, [](const Material& m) { return !IsBlack(m.emission); });
   if (shines) scene.settings.push_back({"emissive_meshes", "whole", "a mesh alone"});
 }

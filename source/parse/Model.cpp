@@ -18,50 +18,50 @@ namespace {
 
 constexpr R2::Color white{1, 1, 1};
 
-/// How high a bump map of multiplier 1 rises, as a share of the file's whole extent: the format has no unit for it.
+/// The height of a bump map with multiplier 1, as a share of the extent of the whole file: the format defines no unit.
 constexpr double bump_height = 0.01;
 
-/// A material of a library that was read, and where that lies.
+/// A material of a library, and the library.
 struct LibraryMaterial {
   MtlMaterial material;
-  std::string library;  // its name as messages have it, beside which images are looked for
+  std::string library;  // its name in messages; images are searched next to it
 };
 
-/// Names may be followed by what looks like a comment, but may also be part of the name: "Material #25".
+/// Removes what looks like a comment after a name; it may also be part of the name: "Material #25".
 std::string WithoutComment(const std::string& name) {
   std::size_t hash = name.find('#');
   while (hash != std::string::npos && (hash == 0 || !IsSpace(name[hash - 1]))) hash = name.find('#', hash + 1);
   return hash == std::string::npos ? name : name.substr(0, name.find_last_not_of(" \t", hash - 1) + 1);
 }
 
-/// Illumination models 0 to 3, 5 and 8 know no transparency. Programs for photogrammetry, and MeshLab before 2023,
-/// write Tr 1 with them for opaque materials.
+/// Returns true if the material is meant to be opaque. Illumination models 0 to 3, 5 and 8 have no transparency, but
+/// programs for photogrammetry, and MeshLab before 2023, write Tr 1 with them for opaque materials.
 bool MeansOpaque(const MtlMaterial& m) {
   const int illum = m.illum.value_or(2);
   return !m.d && m.Tr.value_or(0) >= 1 && (illum <= 3 || illum == 5 || illum == 8);
 }
 
-/// 1 where all behind is hidden. Programs that write both d and Tr mean d.
+/// Returns the opacity, 1 for opaque. Programs that write both d and Tr mean d.
 double OpacityOf(const MtlMaterial& m) {
   if (MeansOpaque(m)) return 1;
   if (m.d) return std::min(1.0, *m.d);
   return m.Tr ? 1 - std::min(1.0, *m.Tr) : 1;
 }
 
-/// How much of what is behind comes through. Programs write Tf for opaque materials too.
+/// Returns the transmitted share of the light from behind. Programs write Tf for opaque materials too.
 R2::Color Transmission(const MtlMaterial& m, bool is_refractive) {
   const double opacity = OpacityOf(m);
   if (is_refractive && m.Tf && opacity == 1) return *m.Tf;
   return (1 - opacity) * m.Tf.value_or(white);
 }
 
-/// The numbers of a material in our own terms; docs/meshes.md tells them.
+/// Converts the numbers of a material as described in docs/meshes.md.
 Material WithoutImages(const MtlMaterial& m) {
   const int illum = m.illum.value_or(2);
   const bool has_highlights = illum >= 2 && m.Ns.value_or(0) > 0, has_mirror = illum >= 3 && illum != 10;
   const bool is_refractive = illum == 6 || illum == 7;
   Material material = DiffuseMaterial(m.Kd.value_or(m.map_Kd ? white : default_gray));
-  // Programs that know no ambient color write a white one, whatever the material is.
+  // Programs without ambient colors write white, whatever the material is.
   if (m.Ka && *m.Ka != white) material.ka = *m.Ka;
   if (has_highlights) material.ks = m.Ks.value_or(R2::Color{});
   if (has_mirror) material.kr = m.Ks.value_or(R2::Color{});
@@ -80,7 +80,7 @@ bool IsGray(const R2::Image& image) {
   return true;
 }
 
-/// The materials that a mesh names, read from the libraries that it names.
+/// The materials that a mesh names, read from its libraries.
 class MaterialMaker {
  public:
   MaterialMaker(const MeshFile& mesh, const FoundFile& file, Assets& assets, Report& report)
@@ -92,7 +92,7 @@ class MaterialMaker {
     for (const auto& [name, material] : known_) by_plain_name_.try_emplace(WithoutComment(name), &material);
   }
 
-  /// Nothing where the libraries have none of that name.
+  /// Returns the material with that name in the libraries, or null.
   const LibraryMaterial* Find(const MeshName& name) const {
     for (const std::string& wanted : {name.name, WithoutComment(name.name)})
       if (const auto found = known_.find(wanted); found != known_.end()) return &found->second;
@@ -107,7 +107,7 @@ class MaterialMaker {
     const MtlMaterial& m = known.material;
     Material material = WithoutImages(m);
     if (MeansOpaque(m))
-      report_.Warn(m.place, "Tr 1 counts as opaque: illum 0 to 3, 5 and 8 know no transparency");
+      report_.Warn(m.place, "Tr 1 counts as opaque: illum 0 to 3, 5 and 8 have no transparency");
     else if (OpacityOf(m) == 0 && material.kt == white && IsBlack(material.ks) && IsBlack(material.kr))
       report_.Warn(m.place, "material " + Quoted(m.name) + " is invisible: its opacity is 0");
     if (m.map_Kd) material.texture = Image(*m.map_Kd, known.library, Assets::Use::color);
@@ -121,7 +121,7 @@ class MaterialMaker {
       return assets_.Image(PathOf(map.file, named_in), named_in, use);
     } catch (const FileError& error) {
       report_.Warn(map.place,
-                   error.message + "; the material is left without it" + (error.hint.empty() ? "" : "; " + error.hint));
+                   error.message + "; the material does not use it" + (error.hint.empty() ? "" : "; " + error.hint));
       return nullptr;
     }
   }
@@ -136,8 +136,8 @@ class MaterialMaker {
     }
   }
 
-  /// Returns the first spelling of a file's name that is there: as it stands, without a comment behind it, or with the
-  /// backslashes that Windows writes turned around. Returns the name itself if none is.
+  /// Returns the first existing spelling of a file's name: unchanged, without a trailing comment, or with the
+  /// backslashes of Windows replaced. Returns the name itself if none exists.
   std::string PathOf(const std::string& name, const std::string& named_in) const {
     for (std::string path : {name, WithoutComment(name)}) {
       if (IsThere(path, named_in)) return path;
@@ -147,7 +147,7 @@ class MaterialMaker {
     return name;
   }
 
-  /// One name, which may have blanks, or several. Exporters repeat the statement before each object.
+  /// Reads one library, whose name may contain blanks, or several. Exporters repeat the statement before each object.
   void ReadLibraries(const MeshName& names) {
     if (!statements_.insert(names.name).second) return;
     const std::string whole = PathOf(names.name, file_.shown);
@@ -185,7 +185,7 @@ class MaterialMaker {
                  "unknown material " + Quoted(name.name) + "; its faces are gray" + DidYouMean(name.name, names));
   }
 
-  /// Some programs write normal maps under the name of bump maps; heights are gray.
+  /// Adds a bump map. Some programs write normal maps under that name; heights are gray.
   void AddBump(const MtlMap& map, const std::string& library, Material& material) {
     const auto image = Image(map, library, Assets::Use::data);
     if (!image) return;
@@ -193,7 +193,7 @@ class MaterialMaker {
       material.bump = image;
       material.bump_height = map.multiplier * bump_height * extent_;
     } else if (!material.normal_map) {
-      report_.Warn(map.place, Quoted(map.file) + " is not gray and taken as a normal map");
+      report_.Warn(map.place, Quoted(map.file) + " is not gray; using it as a normal map");
       material.normal_map = image;
     }
   }
@@ -203,18 +203,19 @@ class MaterialMaker {
   Report& report_;
   double extent_ = 0;
   std::map<std::string, LibraryMaterial> known_;
-  std::map<std::string, const LibraryMaterial*> by_plain_name_;  // without what may be a comment
-  std::set<std::string> statements_, libraries_;                 // seen; libraries by their canonical paths
+  std::map<std::string, const LibraryMaterial*> by_plain_name_;  // without possible comments
+  std::set<std::string> statements_, libraries_;                 // already seen; libraries by their canonical paths
   bool is_complete_ = true;                                      // every library was found
   mutable int unknown_ = 0;
 };
 
-/// Makes meshes of some of the triangles of another one, with the vertices that these use.
+/// Makes meshes of subsets of another mesh's triangles, with the vertices that these use.
 class Cutter {
  public:
   explicit Cutter(const R3::MeshData& data) : data_(data), new_names_(data.positions.size(), Corner::none) {}
 
-  /// In time that grows with the part and not with the whole, of which there may be thousands.
+  /// Extracts some triangles in time proportional to their number rather than that of the whole mesh, which may have
+  /// thousands of parts.
   R3::MeshData Cut(std::span<const std::uint32_t> triangles) {
     part_ = {};
     for (const std::uint32_t t : triangles) {
@@ -259,7 +260,7 @@ std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> TrianglesByMat
   return groups;
 }
 
-/// Lays an image on a part as its material says.
+/// Transforms the texture coordinates of a part as its material states.
 void MapTexture(const MtlMap& map, ModelData::Part& part, Report& report) {
   const bool moves = map.scale.x != 1 || map.scale.y != 1 || map.offset.x != 0 || map.offset.y != 0;
   part.is_whole = part.is_whole && !moves;
@@ -270,7 +271,7 @@ void MapTexture(const MtlMap& map, ModelData::Part& part, Report& report) {
     report.Warn(map.place, "'-clamp on' is not supported: the texture repeats");
 }
 
-/// What colors of vertices and a texture without a material make; nothing without either.
+/// Returns the material given by vertex colors and a texture without a material; std::nullopt if there are neither.
 std::optional<Material> LookWithoutMaterial(const MeshFile& mesh, bool has_colors, const FoundFile& file,
                                             MaterialMaker& maker, Report& report) {
   if (!has_colors && mesh.textures.empty()) return {};

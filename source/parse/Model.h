@@ -9,26 +9,26 @@
 
 namespace ray {
 
-/// The color of what says none.
+/// The color of materials that state none.
 inline constexpr R2::Color default_gray{0.6, 0.6, 0.6};
 
-/// It reflects as much of ambient light as of any other.
+/// Returns a diffuse material, which reflects ambient light as much as any other.
 Material DiffuseMaterial(const R2::Color& kd);
 
-/// A mesh in parts of one material.
+/// A mesh split into parts with one material each.
 struct ModelData {
   struct Part {
     R3::MeshData data;
-    std::optional<std::size_t> material{};  // index into `materials`; nothing where the file says none
-    bool is_whole = false;                  // it is the mesh of the file as it stands
+    std::optional<std::size_t> material{};  // index into `materials`; std::nullopt if the file states none
+    bool is_whole = false;                  // the unchanged mesh of the file
   };
   std::vector<Material> materials;
   std::vector<Part> parts;
 };
 
-/// Cuts a mesh by the materials that its file names in libraries, or that colors of its vertices and textures make.
-/// What the file names and what is not there, or not supported, is told in warnings.
-///   file   the mesh's, beside which others are looked for
+/// Splits a mesh by the materials that its file names in libraries, or by its vertex colors and textures. Warns about
+/// files and features that are missing or not supported.
+///   file   the mesh's own; others are searched next to it
 ModelData CutByMaterial(MeshFile mesh, const FoundFile& file, Assets& assets, Report& report);
 
 }  // namespace ray

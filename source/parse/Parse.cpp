@@ -54,7 +54,7 @@ const SceneFormat& FormatNamed(const std::string& name, const std::string& file)
   throw SceneErrors({ErrorIn(file, "unknown scene format " + Quoted(name), Suggestion(name, names, "formats"))});
 }
 
-/// "'Objects' or 'Eye' (groningen)"
+/// Returns "'Objects' or 'Eye' (groningen)".
 std::string KeysOf(const SceneFormat& format) {
   std::vector<std::string> keys;
   for (const char* key : format.keys) keys.push_back(Quoted(key));
@@ -67,7 +67,7 @@ bool HasKeyOf(const Value& root, const SceneFormat& format) {
   });
 }
 
-/// Chooses among formats that share their extension the one whose keys the document has.
+/// Chooses among formats with a common extension the one whose keys the document has.
 const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidates, const Document& document) {
   if (candidates.size() == 1) return *candidates.front();
   std::vector<const SceneFormat*> fitting;
@@ -83,13 +83,13 @@ const SceneFormat& FormatByKeys(const std::vector<const SceneFormat*>& candidate
                 known + "; -format name chooses one");
 }
 
-/// The extension of the scene. Standard input is in this program's own language, unless -format says otherwise.
+/// Returns the extension of the scene. Standard input is in this program's own language, unless -format says otherwise.
 std::string ExtensionOf(const Files& files) {
   if (files.IsStandardInput()) return ".scn";
   return LowerCase(std::filesystem::path(files.TopName()).extension().string());
 }
 
-/// Whether a document is YAML, or JSON: by its name, or else because its language is always JSON.
+/// Returns true if a document is JSON rather than YAML: by its name, or because its language is always JSON.
 bool IsJson(const Files& files, const SceneFormat& format) {
   return ExtensionOf(files) == ".json" ||
          std::ranges::all_of(format.extensions, [](std::string_view extension) { return extension == ".json"; });
@@ -106,7 +106,7 @@ Scene ReadDocumentScene(const std::vector<const SceneFormat*>& candidates, const
   return scene;
 }
 
-/// The format that was asked for, or those that the file's extension leaves.
+/// Returns the requested format, or those that match the file's extension.
 std::vector<const SceneFormat*> FormatsFor(const Files& files, const ParseOptions& options) {
   if (!options.format.empty()) return {&FormatNamed(options.format, files.TopName())};
   std::vector<const SceneFormat*> candidates;
@@ -126,12 +126,12 @@ Scene ReadScene(const Files& files, const ParseOptions& options, Assets& assets,
   }
   if (MeshFormatForName(files.TopName())) return ReadMeshScene(files, options, assets, report);
   const std::string extension = ExtensionOf(files);
-  if (extension.empty()) files.Top();  // that there is no such file says more
+  if (extension.empty()) files.Top();  // "no such file" is more informative
   throw ErrorIn(files.TopName(), extension.empty() ? "no file extension" : "cannot read " + Quoted(extension),
                 "supported: scenes " + SceneExtensions() + "; meshes " + MeshExtensions());
 }
 
-/// The environment that the user names, wherever it lies.
+/// Sets the environment that the user named, wherever it is.
 void SetEnvironment(const std::string& file, Assets& assets, Report& report, Scene& scene) {
   const Files files(file, {});
   try {
@@ -142,7 +142,7 @@ void SetEnvironment(const std::string& file, Assets& assets, Report& report, Sce
   }
 }
 
-/// Throws FileError for an angle that no camera of the kind has.
+/// Throws FileError if the kind of camera does not support the angle.
 void SetAngle(Camera& camera, double fov) {
   const CameraKind& kind = *camera.kind;
   if (kind.extent != CameraExtent::angle || !IsExtent(kind, fov))
@@ -156,7 +156,7 @@ void SetAngle(Camera& camera, double fov) {
     camera.extent = fov;
 }
 
-/// The change in our world, made by a user who knows the world of the file.
+/// Converts a change to our world; the user states it in the world of the file.
 CameraChange Mirrored(CameraChange change) {
   for (auto* place : {&change.eye, &change.target})
     if (*place) (*place)->z = 0 - (*place)->z;
@@ -164,7 +164,7 @@ CameraChange Mirrored(CameraChange change) {
   return change;
 }
 
-/// Throws FileError for an eye at its own target.
+/// Changes the camera; throws FileError if the eye is at its target.
 void Change(Camera& camera, const CameraChange& change, Report& report, const std::string& file) {
   const R3::Point eye = change.eye.value_or(camera.eye);
   if (change.target && *change.target == eye)
@@ -184,8 +184,8 @@ void Change(Camera& camera, const CameraChange& change, Report& report, const st
   if (change.fov) SetAngle(camera, *change.fov);
 }
 
-/// Sets the width of an orthographic camera that has none: what a pinhole sees at the middle of the scene, or all of
-/// the scene if the eye is in it or beyond.
+/// Sets the width of an orthographic camera that has none: the width that a pinhole sees at the middle of the scene, or
+/// the whole scene if the eye is inside or beyond it.
 void SetWidth(Camera& camera, const R3::Box& bounds) {
   if (camera.kind->extent != CameraExtent::width || camera.extent > 0) return;
   const double radius = bounds.IsEmpty() ? 0 : bounds.Radius();

@@ -16,56 +16,56 @@ namespace ray {
 
 struct ScnPlaces;
 
-/// Texts that are read in place of files on the disk, by the canonical path of the file: absolute and without links.
+/// Texts that replace files on disk, keyed by the canonical path of the file: absolute and without links.
 using EditedFiles = std::map<std::string, std::string>;
 
-/// Why a scene cannot make a setting.
+/// A problem with a setting in a scene.
 struct SettingProblem {
   std::string message, hint;  // the hint may be empty
 };
 
-/// What takes the place of a scene's own camera, part by part.
+/// Replacements for parts of a scene's own camera.
 struct CameraChange {
-  std::optional<R3::Point> eye, target;  // without a target the viewing direction stays
+  std::optional<R3::Point> eye, target;  // without a target the viewing direction is unchanged
   std::optional<R3::Vector> up;
-  std::optional<double> fov;  // whole horizontal field of view, degrees, in (0, 360]
+  std::optional<double> fov;  // the whole horizontal field of view, degrees, in (0, 360]
   std::string projection;     // a name of cameras.def; empty for the scene's own
 
   friend bool operator==(const CameraChange&, const CameraChange&) = default;
 };
 
-/// How a scene is read.
+/// The options for reading a scene.
 struct ParseOptions {
-  // Where files named by a scene may lie, beside its own folder and the current one.
+  // Allowed locations of files named by a scene, in addition to its own folder and the current one.
   std::vector<std::string> allowed_folders;
-  std::string format;                    // a name of formats.def; empty: by extension, and keys of JSON
-  bool decode_srgb = false;              // 8-bit textures are sRGB and become linear
-  double aspect = 1;                     // of the picture, for scenes that name no camera and are shown whole
-  bool one_sided = false;                // every material is, but of what is clear or absorbs
+  std::string format;                    // a name of formats.def; empty: by extension, and by keys for JSON
+  bool decode_srgb = false;              // 8-bit textures are sRGB and are linearized
+  double aspect = 1;                     // of the image, for scenes that name no camera and are fitted to the view
+  bool one_sided = false;                // applies to every material, except clear or absorbing ones
   std::vector<std::string> definitions;  // of variables, "name=value"
-  std::string environment;               // file that takes the place of the scene's own; empty for none
+  std::string environment;               // file that replaces the scene's own; empty for none
   CameraChange camera;
-  int include_depth = 64;                        // how deep includes may nest
-  std::size_t max_nodes = std::size_t{1} << 24;  // about 5 GB of them; includes that double would never end
-  std::int64_t max_texture_bytes = std::numeric_limits<std::int64_t>::max();  // of all of them, decoded
-  // What is wrong with a setting, if anything: which options there are the program knows, and no reader. Without it
-  // settings are taken as they stand.
+  int include_depth = 64;                                                     // maximum depth of nested includes
+  std::size_t max_nodes = std::size_t{1} << 24;                               // about 5 GB; limits includes that double
+  std::int64_t max_texture_bytes = std::numeric_limits<std::int64_t>::max();  // decoded size of all textures
+  // Returns the problem with a setting, if there is one. The program knows the options, readers do not. If null, all
+  // settings are accepted.
   std::optional<SettingProblem> (*problem_of)(const SceneSetting&) = nullptr;
-  std::shared_ptr<const EditedFiles> edited{};  // null where the files of the disk are read; for .scn files only
-  ScnPlaces* places = nullptr;                  // filled in with where the statements of a .scn scene stand, if not null
+  std::shared_ptr<const EditedFiles> edited{};  // null to read the files on disk; for .scn files only
+  ScnPlaces* places = nullptr;                  // if not null, receives the positions of the statements of a .scn scene
 
   friend bool operator==(const ParseOptions&, const ParseOptions&) = default;
 };
 
-/// A scene and what its author should know about it.
+/// A scene and the warnings for its author.
 struct ParsedScene {
   Scene scene;
   std::vector<std::string> warnings;  // "file:line:column: warning: ..." whole lines
 };
 
-/// Reads a scene file; its format is decided by extension (formats.def), and among formats of one extension by the keys
-/// at its top. A file of a mesh is a scene of that mesh alone. Defaults for camera and lights are filled in. Throws
-/// SceneErrors, whose what() is the whole report.
+/// Reads a scene file. Its format is determined by the extension (formats.def), and among formats with one extension by
+/// the top-level keys. A mesh file is a scene of that mesh alone. Missing cameras and lights are replaced by defaults.
+/// Throws SceneErrors, whose what() is the whole report.
 ParsedScene Parse(const std::string& file, const ParseOptions& options);
 
 }  // namespace ray

@@ -38,15 +38,15 @@ class Handle {
 
 std::string Reason(int error) { return std::generic_category().message(error); }
 
-// To walk through a folder needs no right to list it, where the system can tell the two apart.
+// Traversing a folder needs no permission to list it, on systems that distinguish the two.
 #ifdef O_PATH
 constexpr int folder_flags = O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 #else
 constexpr int folder_flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 #endif
 
-/// Opens a canonical path one folder at a time, following no link. A canonical path holds none, so one that appears was
-/// put there after the path was checked, and opening fails. Not to wait for a pipe's other end: O_NONBLOCK.
+/// Opens a canonical path one folder at a time, without following links. A canonical path contains none, so a link that
+/// appears was put there after the check, and opening fails. O_NONBLOCK avoids waiting for the other end of a pipe.
 Handle OpenCanonical(const fs::path& canonical) {
   Handle folder(open("/", folder_flags));
   for (const fs::path& part : canonical.parent_path().relative_path()) {
@@ -58,7 +58,7 @@ Handle OpenCanonical(const fs::path& canonical) {
       openat(folder.Number(), canonical.filename().c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC));
 }
 
-/// Says what a path is when it is no regular file.
+/// Returns the kind of a path that is not a regular file.
 std::optional<std::string> WhyNotRegular(mode_t mode) {
   if (S_ISREG(mode)) return {};
   if (S_ISDIR(mode)) return "is a folder";
@@ -72,7 +72,7 @@ void CheckRegular(const struct stat& status, const std::string& shown) {
 
 std::string ReadAll(const Handle& handle, const struct stat& status, const std::string& shown) {
   std::string bytes;
-  // The size is a hint only: a file may grow or shrink while it is read.
+  // The size is only a hint: a file may grow or shrink while it is read.
   bytes.resize(std::min(static_cast<std::size_t>(status.st_size), Files::max_bytes) + 1);
   std::size_t length = 0;
   for (;;) {
@@ -102,7 +102,8 @@ const std::string& StandardInput() {
 }
 
 std::string ReadFile(const FoundFile& file) {
-  // Asked before opening, because opening a device may do something; asked of the handle, because only that is certain.
+  // Checked before opening, because opening a device may have effects, and again on the handle, because only that is
+  // certain.
   struct stat status {};
   if (stat(file.canonical.c_str(), &status) == 0) CheckRegular(status, file.shown);
   const Handle handle = OpenCanonical(file.canonical);

@@ -47,7 +47,7 @@ const Material& SceneBuilder::MaterialOf(int material) const {
 }
 
 std::optional<CsgFault> SceneBuilder::FaultOfCsg(const Node& node) {
-  constexpr std::size_t most_operations = 1000;  // a ray climbs from the innermost to the outermost
+  constexpr std::size_t most_operations = 1000;  // a ray walks from the innermost to the outermost
   if (node.operation && open_operations >= most_operations)
     return CsgFault{"csg is nested deeper than 1000 levels", "a union takes any number of solids"};
   if (!IsBlack(MaterialOf(node.material).emission))
@@ -62,7 +62,7 @@ std::optional<CsgFault> SceneBuilder::FaultOfCsg(const Node& node) {
     if (node.shape->IsBounded() && node.shape->IsSolid()) return {};
     return CsgFault{"csg combines closed solids, but this shape is not closed", "a thin box has an inside"};
   }
-  const auto [known, is_new] = are_closed.try_emplace(mesh, false);
+  const auto [known, is_new] = is_closed.try_emplace(mesh, false);
   if (is_new) known->second = mesh->IsClosed();
   if (known->second) return {};
   return CsgFault{"csg combines closed solids, but this mesh is open or inside out",

@@ -14,12 +14,12 @@ std::string RightAligned(const std::string& text, std::size_t width) {
   return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 
-/// White space as wide as the line up to the caret: tabs stay tabs.
+/// Returns white space as wide as the line up to the caret; tabs remain tabs.
 std::string Indent(const std::string& line, std::size_t characters) {
   std::string indent;
   std::size_t wide = 0;
   for (std::size_t i = 0; i < line.size() && wide < characters; ++i) {
-    if (CountCharacters(std::string_view(line).substr(i, 1)) == 0) continue;  // goes on with a character
+    if (CountCharacters(std::string_view(line).substr(i, 1)) == 0) continue;  // a continuation byte
     indent += line[i] == '\t' ? '\t' : ' ';
     ++wide;
   }
@@ -71,12 +71,12 @@ void Report::Error(SceneError error) {
 
 void Report::Warn(const std::string& place, const std::string& message) {
   std::string line = place + ": warning: " + message;
-  // A file that is read twice, for two uses, says the same twice.
+  // A file that is read twice, for two uses, produces the same warnings twice.
   if (std::ranges::find(warnings_, line) != warnings_.end()) return;
   if (warnings_.size() < max_warnings)
     warnings_.push_back(std::move(line));
   else
-    ++warnings_left_out_;
+    ++warnings_omitted_;
 }
 
 void Report::ThrowErrors() {
@@ -85,7 +85,7 @@ void Report::ThrowErrors() {
 
 std::vector<std::string> Report::Warnings() const {
   std::vector<std::string> all = warnings_;
-  if (warnings_left_out_ > 0) all.push_back("and " + std::to_string(warnings_left_out_) + " more warnings");
+  if (warnings_omitted_ > 0) all.push_back("and " + std::to_string(warnings_omitted_) + " more warnings");
   return all;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t max_line_shown = 200;  // bytes of a line; a mistake further right is shown without its line
 
-// Looks no further than what would be shown: the line may be the whole of a large file.
+// Searches only as far as would be shown, since the line may be the whole of a large file.
 std::string LineAround(const Text& text, const Token& token) {
   const char* const begin = text.bytes.data();
   const char* const end = begin + text.bytes.size();
@@ -27,7 +27,7 @@ std::string LineAround(const Text& text, const Token& token) {
   return line;
 }
 
-/// Returns the word, or its first character if the word is less than that, as parsers of JSON have it.
+/// Returns the word, or its first character if the word is shorter than that, as JSON parsers report it.
 std::string_view WithWholeCharacter(const Text& text, std::string_view word) {
   const char* const end = text.bytes.data() + text.bytes.size();
   if (word.empty() || word.data() < text.bytes.data() || word.data() >= end) return word;
@@ -103,7 +103,7 @@ TextPlaces::TextPlaces(const Text& text) : text_(text) {
   if (text.bytes.size() % stride == 0) noted_.push_back(place);
 }
 
-// A line ends with LF, CR LF or CR. A byte order mark takes no column, and neither do bytes that continue a character.
+// A line ends with LF, CR LF or CR. A byte order mark and continuation bytes take no column.
 void TextPlaces::Step(Place& place, std::size_t offset) const {
   const std::string& bytes = text_.bytes;
   const char c = bytes[offset];

@@ -80,7 +80,7 @@ std::size_t Tokenizer::LengthOfWord() const {
   return comments_ == Comments::hash ? WithoutComment(word).size() : word.size();
 }
 
-/// Up to the closing quote; where it is missing, up to the end of the line.
+/// Returns the length up to the closing quote, or to the end of the line if that is missing.
 std::size_t Tokenizer::LengthOfQuoted() const {
   const char* behind = next_ + 1;
   for (; behind != end_ && !EndsLine(*behind); ++behind) {
@@ -92,7 +92,7 @@ std::size_t Tokenizer::LengthOfQuoted() const {
 
 /// Returns the length up to the closing parenthesis, or up to the end of the line or a comment if that is missing.
 /// Returns 0 if the word is not a formula but, for example, a file name: if it continues after the closing parenthesis,
-/// or lacks one and does not begin like a formula.
+/// or lacks one and does not start like a formula.
 std::size_t Tokenizer::LengthOfFormula() const {
   int open = 0;
   const char* behind = next_;
@@ -141,8 +141,8 @@ void Tokenizer::SkipWhiteSpace() {
   }
 }
 
-/// Whether a backslash joins lines: behind it stand at most blanks, which are easily left there, and the end of the
-/// line or of the file.
+/// Returns true if a backslash joins lines: it is followed only by blanks, which are easily overlooked, and the end of
+/// the line or file.
 bool Tokenizer::IsJoint(const char* backslash) const {
   if (joints_ == Joints::none) return false;
   const char* behind = backslash + 1;

@@ -9,38 +9,40 @@
 
 namespace ray {
 
-/// Cuts a text into words, separated by any white space; a line ends with LF, CR LF or CR. A byte order mark at the
-/// start is passed over.
+/// A reader that splits a text into words, separated by any white space; a line ends with LF, CR LF or CR. A byte order
+/// mark at the start is skipped.
 class Tokenizer {
  public:
-  /// Whether a # hides the rest of its line: one that begins a word, or is glued to a number ("1.9#object"), as the
-  /// course's reader has it. In any other word, which may name a file, it is a letter, and so it is in "1.#QNAN".
+  /// The treatment of #. With hash, it starts a comment if it begins a word or directly follows a number
+  /// ("1.9#object"), as in the course's reader. In any other word, which may name a file, it is a letter, as in
+  /// "1.#QNAN".
   enum class Comments { none, hash };
 
-  /// Whether a backslash at the end of a line joins the next one to it: words there do not start a line.
+  /// The treatment of a backslash at the end of a line. With backslash, it joins the next line, whose words do not
+  /// start a line.
   enum class Joints { none, backslash };
 
-  /// Whether a word that begins with a quote goes on to the next one on its line, blanks and all; behind a backslash a
-  /// quote is a letter of it. The word's text has its quotes. A formula in parentheses, which ends on its line, is one
-  /// word as well.
+  /// The treatment of quotes. With names, a word that begins with a quote extends to the next quote on its line,
+  /// including blanks; \" is a literal quote. The word's text includes its quotes. A formula in parentheses, which ends
+  /// on its line, is also one word.
   enum class Quotes { none, names };
 
-  /// `text` must outlive the tokenizer and its tokens, and so must `variables`, whose values take the place of words
-  /// that begin with a dollar sign and of formulas; null for texts without variables.
+  /// Prepares the words of `text`, which must outlive the tokenizer and its tokens. So must `variables`, whose values
+  /// replace words that begin with a dollar sign, and formulas; null for texts without variables.
   Tokenizer(const Text& text, Comments comments, Joints joints = Joints::none, Quotes quotes = Quotes::none,
             Variables* variables = nullptr);
 
-  /// Nothing at the end of the text.
+  /// Returns the next word; std::nullopt at the end of the text.
   std::optional<Token> Next();
   const std::optional<Token>& Peek();
-  /// Passes over what is left of a line, and tells how many words that was.
+  /// Skips the rest of a line, and returns the number of words skipped.
   std::size_t SkipLine(std::size_t line);
 
-  /// Bytes behind the last word that Next or Peek saw: no more than these can follow, whatever a header promises.
+  /// Returns the bytes after the last word that Next or Peek returned: an upper limit for what a header may announce.
   std::size_t BytesLeft() const { return static_cast<std::size_t>(end_ - next_); }
   const Text& Source() const { return text_; }
 
-  /// Errors of formulas that have no value. Each such formula is read as 1, so that parsing can continue.
+  /// Returns the errors of formulas that have no value. Each such formula is read as 1, so that parsing can continue.
   const std::vector<SceneError>& Mistakes() const { return mistakes_; }
   std::vector<SceneError> TakeMistakes() { return std::exchange(mistakes_, {}); }
 

@@ -45,8 +45,8 @@ const std::string& Variables::Evaluate(std::string_view formula) {
     if (name.empty()) throw std::runtime_error("the name of a variable is missing");
     if (!text) {
       const std::string word(name);
-      throw std::runtime_error("nothing has defined '$" + word + "'; 'define " + word + " 0.5' does, or -define " +
-                               word + "=0.5");
+      throw std::runtime_error("'$" + word + "' is not defined; use 'define " + word + " 0.5', or -define " + word +
+                               "=0.5");
     }
     const auto [number, problem] = ParseNumber(*text);
     if (problem)

@@ -9,26 +9,27 @@
 
 namespace ray {
 
-/// "name=value", where the name is of letters, digits and _, and the value is not empty.
+/// Returns true for "name=value", where the name consists of letters, digits and _, and the value is not empty.
 bool IsDefinition(const std::string& text);
 
 /// Words of a scene that the command line may set, so that one file makes every frame of a movie: $t stands for the
-/// value of t. Whoever names a variable first decides: the command line, then the scene, file by file.
+/// value of t. The first definition of a variable counts: the command line, then the scene, file by file.
 class Variables {
  public:
   static bool IsName(std::string_view text);
 
-  /// Each of them a definition, as IsDefinition says; of two for one name the last counts, as in command lines.
+  /// Makes variables from definitions, see IsDefinition; the last of several for one name counts, as usual on command
+  /// lines.
   explicit Variables(std::span<const std::string> definitions);
 
-  /// Nothing is changed where the name has a value.
+  /// Defines a variable unless it already has a value.
   void Define(std::string_view name, std::string_view value);
-  /// The value, which stays in place; null where there is none.
+  /// Returns a pointer to the value, which remains valid, or null.
   const std::string* Find(std::string_view name);
-  /// Returns the value of an arithmetic formula in which $name stands for a variable that is a number, as text that
-  /// stays in place. Throws R3::ExpressionError.
+  /// Returns the value of an arithmetic formula in which $name stands for a numeric variable, as text that remains
+  /// valid. Throws R3::ExpressionError.
   const std::string& Evaluate(std::string_view formula);
-  /// Names that the command line gives a value and the scene does not use.
+  /// Returns the names that the command line defines and the scene does not use.
   const std::set<std::string>& Unused() const { return unused_; }
 
  private:

@@ -4,8 +4,8 @@
 
 #include "source/rayimg/Options.h"
 
-/// The commands of rayimg. Each gives the exit status, and throws UsageError, SceneErrors (for files that are missing
-/// or no pictures) and OutputError. `command_line` is what was typed, to be kept in pictures that are written.
+/// The commands of rayimg. Each returns the exit status, and throws UsageError, SceneErrors (for files that are missing
+/// or not images) and OutputError. `command_line` is the command as typed, which is stored in written images.
 namespace ray::rayimg {
 
 int Diff(const ImageOptions& options, const std::string& command_line);

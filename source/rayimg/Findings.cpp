@@ -4,19 +4,19 @@
 #include <nlohmann/json.hpp>
 
 #include "R2/compare/Flip.h"
-#include "source/rayimg/Pictures.h"
+#include "source/rayimg/Images.h"
 #include "source/text/NumberText.h"
 
 namespace ray::rayimg {
 namespace {
 
-/// Why the pictures differ by more than is allowed. A measure that is NaN is not within its limit.
+/// Returns why the images differ by more than allowed. A measure that is NaN is not within its limit.
 std::vector<std::string> Failures(const Findings& found, const ImageOptions& options) {
   std::vector<std::string> failures;
   const auto limit = [&](const char* what, double value, std::optional<double> highest) {
     if (!highest) return;
     if (found.difference.pixels_not_finite > 0)
-      failures.push_back(std::string(what) + " is not known where pixels are not finite");
+      failures.push_back(std::string(what) + " is unknown because pixels are not finite");
     else if (!(value <= *highest))
       failures.push_back(std::string(what) + " " + Rounded(value) + " is above " + ToText(*highest));
   };

@@ -11,13 +11,13 @@
 
 namespace ray::rayimg {
 
-/// Everything that rayimg diff measures of two pictures.
+/// All measurements of rayimg diff for two images.
 struct Findings {
   R2::Difference difference;
   double flip = 0;
   std::optional<double> product;              // mean (x - r1)(x - r2), with a second reference
   std::optional<std::int64_t> pixels_beyond;  // with -fail
-  std::vector<std::string> failures;          // why the pictures differ by more than is allowed
+  std::vector<std::string> failures;          // why the images differ by more than allowed
 
   double PercentBeyond() const {
     return 100 * static_cast<double>(pixels_beyond.value_or(0)) / static_cast<double>(difference.pixels);
@@ -29,18 +29,18 @@ struct Measurement {
   R2::Plane flip_map;
 };
 
-/// How values are shown: as -srgb asks.
+/// Returns the conversion for display that -srgb selects.
 R2::Display DisplayOf(const ImageOptions& options);
 
-/// Both of one size. The product is left to the caller.
+/// Measures two images of the same size. The caller adds the product.
 Measurement Measure(const R2::Image& x, const R2::Image& r, const ImageOptions& options);
 
-/// "r", "g" or "b".
+/// Returns "r", "g" or "b".
 const char* ChannelName(int channel);
-/// No root of a negative number: then there is less error than the noise that is left.
+/// Returns the square root; std::nullopt for a negative number, where the error is below the remaining noise.
 std::optional<double> Root(double product);
 
-/// A key for each measure. Numbers that JSON cannot hold become null.
+/// Returns an object with a key for each measure. Numbers that JSON cannot represent become null.
 nlohmann::ordered_json JsonOf(const Findings& found, const std::string& reference2);
 
 }  // namespace ray::rayimg

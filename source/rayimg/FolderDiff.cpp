@@ -18,19 +18,19 @@ using Files = std::vector<std::string>;
 std::string WholeName(const std::string& file) { return path(file).filename().string(); }
 std::string Stem(const std::string& file) { return path(file).stem().string(); }
 
-/// Takes those out that have just one partner by that name.
-std::vector<Pair> TakePairs(Files& pictures, Files& references, std::string (*name_of)(const std::string&)) {
+/// Removes and returns the files that have exactly one partner by that name.
+std::vector<Pair> TakePairs(Files& images, Files& references, std::string (*name_of)(const std::string&)) {
   std::map<std::string, std::pair<Files, Files>> by_name;
-  for (const std::string& file : pictures) by_name[name_of(file)].first.push_back(file);
+  for (const std::string& file : images) by_name[name_of(file)].first.push_back(file);
   for (const std::string& file : references) by_name[name_of(file)].second.push_back(file);
   std::vector<Pair> pairs;
-  pictures.clear(), references.clear();
+  images.clear(), references.clear();
   for (const auto& [name, files] : by_name) {
     const auto& [ours, theirs] = files;
     if (ours.size() == 1 && theirs.size() == 1) {
       pairs.push_back({WholeName(ours[0]), ours[0], theirs[0]});
     } else {
-      pictures.insert(pictures.end(), ours.begin(), ours.end());
+      images.insert(images.end(), ours.begin(), ours.end());
       references.insert(references.end(), theirs.begin(), theirs.end());
     }
   }
@@ -40,13 +40,13 @@ std::vector<Pair> TakePairs(Files& pictures, Files& references, std::string (*na
 PairResult WithoutPartner(const Pair& pair) {
   return {.pair = pair,
           .outcome = Outcome::unpaired,
-          .remark = pair.picture.empty() ? "there is no image of that name" : "there is no reference of that name",
+          .remark = pair.image.empty() ? "there is no image of that name" : "there is no reference of that name",
           .found = {},
           .cause = {},
           .figures = {}};
 }
 
-/// What could not be measured comes first; NaN differs most.
+/// Sorts failed measurements first; NaN counts as the largest difference.
 void SortByDifference(std::vector<PairResult>& results) {
   const auto key = [](const PairResult& result) {
     const auto amount = [](double number) { return std::isnan(number) ? HUGE_VAL : number; };
@@ -62,7 +62,7 @@ int ExitStatus(const std::vector<PairResult>& results) {
   return worst >= Outcome::fails ? status::failed : status::done;
 }
 
-void RefuseOptionsOfPictures(const ImageOptions& options) {
+void RefuseOptionsOfImages(const ImageOptions& options) {
   const auto refuse = [](const std::string& value, const std::string& option) {
     if (!value.empty()) throw UsageError(option + " needs two images; with folders, -html shows maps");
   };
@@ -72,8 +72,8 @@ void RefuseOptionsOfPictures(const ImageOptions& options) {
 
 }  // namespace
 
-std::vector<Pair> PairsOf(const Files& pictures, const Files& references) {
-  Files ours = pictures, theirs = references;
+std::vector<Pair> PairsOf(const Files& images, const Files& references) {
+  Files ours = images, theirs = references;
   std::vector<Pair> pairs = TakePairs(ours, theirs, WholeName);
   for (const Pair& pair : TakePairs(ours, theirs, Stem)) pairs.push_back(pair);
   std::ranges::sort(pairs, {}, &Pair::name);
@@ -83,15 +83,15 @@ std::vector<Pair> PairsOf(const Files& pictures, const Files& references) {
 }
 
 int DiffFolders(const ImageOptions& options) {
-  RefuseOptionsOfPictures(options);
-  const Files pictures = ImagesIn(options.names[0]), references = ImagesIn(options.names[1]);
-  Files inputs = pictures;
+  RefuseOptionsOfImages(options);
+  const Files images = ImagesIn(options.names[0]), references = ImagesIn(options.names[1]);
+  Files inputs = images;
   inputs.insert(inputs.end(), references.begin(), references.end());
   const PairTables tables(options, inputs);
 
   std::vector<PairResult> results;
-  for (const Pair& pair : PairsOf(pictures, references))
-    results.push_back(pair.picture.empty() || pair.reference.empty() ? WithoutPartner(pair) : Compared(pair, options));
+  for (const Pair& pair : PairsOf(images, references))
+    results.push_back(pair.image.empty() || pair.reference.empty() ? WithoutPartner(pair) : Compared(pair, options));
   SortByDifference(results);
   tables.Write(results);
   WriteStandardOutput(options.json ? JsonOf(results, options) : TextOf(results));

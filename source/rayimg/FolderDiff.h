@@ -7,13 +7,13 @@
 
 namespace ray::rayimg {
 
-/// Images of one name; where an image has no partner of its whole name, the one of its name without the extension, if
-/// there is just one on each side.
-///   pictures, references   names of files; sorted
-///   returns                pairs, then those without a partner
-std::vector<Pair> PairsOf(const std::vector<std::string>& pictures, const std::vector<std::string>& references);
+/// Pairs images by name. An image without a partner by its whole name is paired by its name without the extension, if
+/// there is exactly one on each side.
+///   images, references   file names; sorted
+///   returns              pairs, then the files without a partner
+std::vector<Pair> PairsOf(const std::vector<std::string>& images, const std::vector<std::string>& references);
 
-/// Compares the folders that the options name.
+/// Compares the folders given in the options.
 int DiffFolders(const ImageOptions& options);
 
 }  // namespace ray::rayimg

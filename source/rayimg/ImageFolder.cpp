@@ -24,7 +24,7 @@ std::vector<std::string> ImagesIn(const std::string& folder) {
   for (const R2::ImageFormat& format : R2::ImageFormats())
     for (const char* extension : format.extensions) extensions.push_back("." + std::string(extension));
   if (images.empty())
-    throw UsageError("the folder " + QuotedPath(folder) + " holds no image: no file that ends in " + OneOf(extensions));
+    throw UsageError("the folder " + QuotedPath(folder) + " contains no image: no file ends in " + OneOf(extensions));
   std::ranges::sort(images);
   return images;
 }

@@ -5,8 +5,8 @@
 
 namespace ray::rayimg {
 
-/// The files in a folder whose names end as images do, sorted; not those of folders within it. Throws SceneErrors when
-/// it cannot be read, and UsageError when it holds no image.
+/// Returns the files in a folder with an image extension, sorted; without those of subfolders. Throws SceneErrors if
+/// the folder cannot be read, and UsageError if it contains no image.
 std::vector<std::string> ImagesIn(const std::string& folder);
 
 }  // namespace ray::rayimg

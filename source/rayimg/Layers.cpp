@@ -25,7 +25,7 @@ std::string LayerOf(const std::string& channel) {
   return IsOfColor(channel) ? color_layer : channel;
 }
 
-/// Where the last part of its name puts a channel among those of its layer.
+/// Returns the rank of a channel within its layer by the last part of its name.
 std::size_t Rank(const R2::ImageChannel& channel) {
   const std::string_view name = channel.name;
   const std::string_view last = name.substr(name.rfind('.') + 1);
@@ -72,15 +72,15 @@ std::vector<Layer> FurtherLayers(const R2::ImageFormat& format, std::span<const 
   return layers;
 }
 
-void WarnOfLayersLeftOut(const std::string& file) {
+void WarnOfFurtherLayers(const std::string& file) {
   const std::vector<unsigned char> bytes = ReadBytes(file);
   const R2::ImageHeader header = R2::ReadImageHeader(bytes);
   std::string names;
   for (const Layer& layer : FurtherLayers(*header.format, bytes))
     names += (names.empty() ? "" : ", ") + Escaped(layer.name);
   if (!names.empty())
-    PrintError("rayimg: warning: " + Quoted(file) + " has further layers, which are left out: " + names +
-               "; rayimg extract takes one");
+    PrintError("rayimg: warning: " + Quoted(file) + " has further layers, which are skipped: " + names +
+               "; rayimg extract writes one of them");
 }
 
 }  // namespace ray::rayimg

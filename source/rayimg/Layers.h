@@ -8,29 +8,29 @@
 
 namespace ray::rayimg {
 
-/// The name of the layer of the channels R, G and B, or of those of luminance and chroma, which the files do not name.
+/// The name of the layer with the channels R, G and B, or luminance and chroma, which has no name in files.
 inline constexpr const char* color_layer = "color";
 
-/// Channels of a file that belong together: "N.X", "N.Y" and "N.Z" are the layer N; R, G and B are the color. Another
+/// Channels of a file that belong together: "N.X", "N.Y" and "N.Z" are the layer N; R, G and B are the color. Any other
 /// channel without a dot is a layer by itself.
 ///   source   OpenEXR, Technical Introduction (2013), "Layers"
 struct Layer {
   std::string name;
-  std::vector<R2::ImageChannel> channels;  // red before green before blue, x before y before z, others as in the file
+  std::vector<R2::ImageChannel> channels;  // red before green before blue, x before y before z, others in file order
 };
 
 std::vector<Layer> LayersOf(const R2::ImageChannels& channels);
 
-/// "N: N.X, N.Y, N.Z, float"
+/// Returns "N: N.X, N.Y, N.Z, float".
 std::string Description(const Layer& layer);
 
-/// Names of the channels.
+/// Returns the names of the channels.
 std::vector<std::string> ChannelNames(const Layer& layer);
 
-/// What a picture's file holds beside its color; none for formats whose channels have no names.
+/// Returns the layers of an image file other than its color; empty for formats without named channels.
 std::vector<Layer> FurtherLayers(const R2::ImageFormat& format, std::span<const unsigned char> bytes);
 
-/// Prints a warning that names the further layers of a file, of which nothing is written.
-void WarnOfLayersLeftOut(const std::string& file);
+/// Warns about the further layers of a file, which are not written.
+void WarnOfFurtherLayers(const std::string& file);
 
 }  // namespace ray::rayimg

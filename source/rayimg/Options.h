@@ -12,13 +12,12 @@
 
 namespace ray::rayimg {
 
-/// What a heat map of a difference shows.
+/// The content of a heat map of a difference.
 enum class MapOf { flip, display };
 inline constexpr std::array map_names{"flip", "display"};
 constexpr const auto& NamesOf(MapOf) { return map_names; }
 
-/// What the commands of rayimg are asked. Names of options, ranges and help are in Table.cpp; the defaults are
-/// here.
+/// The options of rayimg's commands. Names, ranges and help are in Table.cpp; the defaults are here.
 struct ImageOptions : Options {
   ImageOptions() : Options(Program::rayimg) {}
 
@@ -43,8 +42,8 @@ struct ImageOptions : Options {
   FilterKind filter = FilterKind::box;
   std::optional<PixelRectangle> crop;
   std::optional<int> columns;
-  std::optional<int> gap;             // pixels between pictures
-  std::vector<std::string> captions;  // one per picture
+  std::optional<int> gap;             // pixels between images
+  std::vector<std::string> captions;  // one per image
   bool captions_are_names = false;
 
   // merging

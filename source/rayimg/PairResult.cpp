@@ -5,7 +5,7 @@
 #include "source/app/report/Messages.h"
 #include "source/film/Resize.h"
 #include "source/parse/SceneError.h"
-#include "source/rayimg/Pictures.h"
+#include "source/rayimg/Images.h"
 #include "source/text/NumberText.h"
 
 namespace ray::rayimg {
@@ -15,7 +15,7 @@ std::string SizeText(const R2::Image& image) {
   return std::to_string(image.Width()) + "x" + std::to_string(image.Height());
 }
 
-/// Small enough for a page.
+/// Scales an image down for a page.
 R2::Image ForPage(const R2::Image& image) {
   constexpr int widest = 640;
   if (image.Width() <= widest) return image;
@@ -27,65 +27,65 @@ std::string Figure(const std::string& content, const std::string& caption) {
   return "<figure>" + content + "<figcaption>" + grade::HtmlOf(caption) + "</figcaption></figure>\n";
 }
 
-/// Both pictures, one over the other; and where they differ.
-std::string Figures(const R2::Image& picture, const R2::Image& reference, const R2::Plane& flip,
+/// Returns figures of both images, one over the other, and of their difference.
+std::string Figures(const R2::Image& image, const R2::Image& reference, const R2::Plane& flip,
                     const ImageOptions& options) {
-  const R2::Image x = Displayed(picture, DisplayOf(options)), r = Displayed(reference, DisplayOf(options));
-  return Figure(grade::Slider(ForPage(x), "picture", ForPage(r), "reference"),
+  const R2::Image x = Displayed(image, DisplayOf(options)), r = Displayed(reference, DisplayOf(options));
+  return Figure(grade::Slider(ForPage(x), "image", ForPage(r), "reference"),
                 "the image over the reference; drag its lower right corner") +
          Figure(grade::ImageTag(ForPage(RampImage(flip)), "FLIP"), "FLIP: black 0, white 1") +
          Figure(grade::ImageTag(ForPage(SignedDifference(x, r)), "difference"),
                 "difference times 4: red too bright, blue too dark");
 }
 
-std::string TwoFigures(const R2::Image& picture, const R2::Image& reference, const ImageOptions& options) {
-  return Figure(grade::ImageTag(ForPage(Displayed(picture, DisplayOf(options))), "picture"), "picture") +
+std::string TwoFigures(const R2::Image& image, const R2::Image& reference, const ImageOptions& options) {
+  return Figure(grade::ImageTag(ForPage(Displayed(image, DisplayOf(options))), "image"), "image") +
          Figure(grade::ImageTag(ForPage(Displayed(reference, DisplayOf(options))), "reference"), "reference");
 }
 
-std::string Formats(const R2::DecodedImage& picture, const R2::DecodedImage& reference) {
-  if (picture.format == reference.format) return {};
-  return std::string("a ") + picture.format->name + " against a " + reference.format->name;
+std::string Formats(const R2::DecodedImage& decoded, const R2::DecodedImage& reference) {
+  if (decoded.format == reference.format) return {};
+  return std::string("a ") + decoded.format->name + " against a " + reference.format->name;
 }
 
-PairResult OfOtherSize(const Pair& pair, const R2::DecodedImage& picture, const R2::DecodedImage& reference,
+PairResult OfOtherSize(const Pair& pair, const R2::DecodedImage& decoded, const R2::DecodedImage& reference,
                        const ImageOptions& options) {
   return {.pair = pair,
           .outcome = Outcome::other_size,
-          .remark = "has " + SizeText(picture.image) + " pixels, the reference " + SizeText(reference.image),
+          .remark = "has " + SizeText(decoded.image) + " pixels, the reference " + SizeText(reference.image),
           .found = {},
-          .cause = grade::LikelyCause(picture, reference),
-          .figures = options.html.empty() ? "" : TwoFigures(picture.image, reference.image, options)};
+          .cause = grade::LikelyCause(decoded, reference),
+          .figures = options.html.empty() ? "" : TwoFigures(decoded.image, reference.image, options)};
 }
 
 }  // namespace
 
-PairResult ResultOf(const Pair& pair, const R2::DecodedImage& picture, const R2::DecodedImage& reference,
+PairResult ResultOf(const Pair& pair, const R2::DecodedImage& decoded, const R2::DecodedImage& reference,
                     const Measurement& measured, const ImageOptions& options) {
-  const bool is_equal = picture.image == reference.image;
+  const bool is_equal = decoded.image == reference.image;
   return {.pair = pair,
           .outcome = !measured.found.failures.empty() ? Outcome::fails
                      : is_equal                       ? Outcome::equal
                                                       : Outcome::differs,
-          .remark = Formats(picture, reference),
+          .remark = Formats(decoded, reference),
           .found = measured.found,
-          .cause = grade::LikelyCause(picture, reference),
-          .figures = options.html.empty() ? "" : Figures(picture.image, reference.image, measured.flip_map, options)};
+          .cause = grade::LikelyCause(decoded, reference),
+          .figures = options.html.empty() ? "" : Figures(decoded.image, reference.image, measured.flip_map, options)};
 }
 
 PairResult Compared(const Pair& pair, const ImageOptions& options) {
   try {
-    const R2::DecodedImage picture = ReadLight(pair.picture, options.srgb);
+    const R2::DecodedImage decoded = ReadLight(pair.image, options.srgb);
     const R2::DecodedImage reference = ReadLight(pair.reference, options.srgb);
-    const R2::Image &x = picture.image, &r = reference.image;
-    if (x.Width() != r.Width() || x.Height() != r.Height()) return OfOtherSize(pair, picture, reference, options);
-    return ResultOf(pair, picture, reference, Measure(x, r, options), options);
+    const R2::Image &x = decoded.image, &r = reference.image;
+    if (x.Width() != r.Width() || x.Height() != r.Height()) return OfOtherSize(pair, decoded, reference, options);
+    return ResultOf(pair, decoded, reference, Measure(x, r, options), options);
   } catch (const SceneErrors& errors) {
     PrintError(errors.what());
     const SceneError& first = errors.All().front();
     return {.pair = pair,
             .outcome = Outcome::unreadable,
-            .remark = (first.file == pair.picture ? "" : "the reference: ") + first.message,
+            .remark = (first.file == pair.image ? "" : "the reference: ") + first.message,
             .found = {},
             .cause = {},
             .figures = {}};

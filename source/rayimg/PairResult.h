@@ -10,13 +10,13 @@
 
 namespace ray::rayimg {
 
-/// Two files to compare; one is empty where it has no partner.
+/// Two files to compare; one is empty if it has no partner.
 struct Pair {
   std::string name;  // for tables
-  std::string picture, reference;
+  std::string image, reference;
 };
 
-/// What became of a pair, from the best to the worst.
+/// The result of a pair, from best to worst.
 enum class Outcome { equal, differs, fails, other_size, unpaired, unreadable };
 inline constexpr std::array outcome_names{"equal",      "different", "beyond the limit",
                                           "other size", "unpaired",  "unreadable"};
@@ -25,20 +25,20 @@ constexpr const auto& NamesOf(Outcome) { return outcome_names; }
 struct PairResult {
   Pair pair;
   Outcome outcome = Outcome::unpaired;
-  std::string remark;             // what there is to say besides numbers; may be empty
-  std::optional<Findings> found;  // none where there was nothing to measure
+  std::string remark;             // remarks in addition to numbers; may be empty
+  std::optional<Findings> found;  // std::nullopt if nothing could be measured
   std::optional<grade::Cause> cause;
   std::string figures;  // HTML, with -html
 };
 
-/// What measuring two pictures of one size has given.
-PairResult ResultOf(const Pair& pair, const R2::DecodedImage& picture, const R2::DecodedImage& reference,
+/// Returns the result of measuring two images of the same size.
+PairResult ResultOf(const Pair& pair, const R2::DecodedImage& decoded, const R2::DecodedImage& reference,
                     const Measurement& measured, const ImageOptions& options);
 
-/// Reads two files and measures them. That one cannot be read is an outcome, not an error.
+/// Reads two files and measures them. An unreadable file is an outcome, not an error.
 PairResult Compared(const Pair& pair, const ImageOptions& options);
 
-/// In one sentence, with the share of the cause; empty where there is nothing to say.
+/// Returns a one-sentence summary, with the share of the cause; may be empty.
 std::string Summary(const PairResult& result);
 
 }  // namespace ray::rayimg

@@ -4,7 +4,7 @@
 
 #include "grader/Html.h"
 #include "source/app/Status.h"
-#include "source/rayimg/Pictures.h"
+#include "source/rayimg/Images.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -14,7 +14,7 @@ namespace {
 
 using grade::HtmlOf;
 
-/// FLIP, linear RMSE and the largest difference; none where nothing was measured.
+/// Returns FLIP, linear RMSE and the largest difference; empty if nothing was measured.
 std::vector<std::string> Numbers(const PairResult& result) {
   if (!result.found) return {"", "", ""};
   const R2::Difference& d = result.found->difference;
@@ -82,7 +82,7 @@ std::string JsonOf(const std::vector<PairResult>& results, const ImageOptions& o
   const auto text = [](const std::string& name) { return name.empty() ? Json() : Json(name); };
   for (const PairResult& result : results) {
     Json json{{"name", result.pair.name},
-              {"picture", text(result.pair.picture)},
+              {"picture", text(result.pair.image)},
               {"reference", text(result.pair.reference)},
               {"outcome", NameOf(result.outcome)},
               {"remark", text(result.remark)},
@@ -100,7 +100,7 @@ std::string CsvOf(const std::vector<PairResult>& results) {
   std::string csv =
       "image,picture,reference,outcome,flip,rmse,relative_mse,display_rmse,psnr,largest,pixels,cause,share,remark\n";
   for (const PairResult& result : results) {
-    for (const std::string& text : {result.pair.name, result.pair.picture, result.pair.reference})
+    for (const std::string& text : {result.pair.name, result.pair.image, result.pair.reference})
       csv += CsvField(text) + ",";
     csv += NameOf(result.outcome);
     if (result.found) {

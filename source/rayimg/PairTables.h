@@ -12,7 +12,7 @@ namespace ray::rayimg {
 /// The files of -html and -csv.
 class PairTables {
  public:
-  /// Throws OutputError when one cannot be written, and UsageError when both are one.
+  /// Checks the files. Throws OutputError if one cannot be written, and UsageError if both are the same.
   PairTables(const ImageOptions& options, std::span<const std::string> inputs);
 
   bool AreWanted() const { return page_ || table_; }
@@ -24,11 +24,11 @@ class PairTables {
   std::optional<OutputFile> page_, table_;
 };
 
-/// For people: a line for each pair, and one that counts them.
+/// Returns text for people: a line for each pair, and one with their counts.
 std::string TextOf(const std::vector<PairResult>& results);
 std::string JsonOf(const std::vector<PairResult>& results, const ImageOptions& options);
 std::string CsvOf(const std::vector<PairResult>& results);
-/// The page: one file, to be read without scripts.
+/// Returns a self-contained page without scripts.
 std::string PageOf(const std::vector<PairResult>& results, const std::string& title);
 
 }  // namespace ray::rayimg

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "source/rayimg/Pictures.h"
+#include "source/rayimg/Images.h"
 #include "source/text/Font.h"
 
 namespace ray::rayimg {
@@ -33,7 +33,7 @@ std::vector<int> GlyphsOf(const std::string& text) {
   return glyphs;
 }
 
-/// Two points stand for the middle of what has no room.
+/// Shortens a caption that does not fit; two dots replace its middle.
 std::vector<int> Shortened(std::vector<int> glyphs, std::size_t room) {
   if (glyphs.size() <= room) return glyphs;
   if (room < 5) return {glyphs.begin(), glyphs.begin() + static_cast<std::ptrdiff_t>(room)};
@@ -44,7 +44,7 @@ std::vector<int> Shortened(std::vector<int> glyphs, std::size_t room) {
   return shorter;
 }
 
-/// Black letters in the middle of `width` pixels.
+/// Writes black letters centered in `width` pixels.
 void WriteCaption(R2::Image& onto, const std::string& text, int left, int bottom, int width) {
   static const std::vector<std::uint8_t> sheet = GlyphSheet();
   const std::vector<int> glyphs = Shortened(GlyphsOf(text), static_cast<std::size_t>(width / glyph_width));

@@ -22,7 +22,7 @@ std::vector<std::string> ToneCurveNames() {
   return names;
 }
 
-/// "1,2,0.5": numbers above 0.
+/// Parses "1,2,0.5": numbers above 0.
 std::optional<std::vector<double>> ReadWeights(const std::string& word) {
   std::vector<double> weights;
   for (std::size_t at = 0; at <= word.size();) {
@@ -35,7 +35,7 @@ std::optional<std::vector<double>> ReadWeights(const std::string& word) {
   return weights;
 }
 
-/// A limit that is none unless given. `most`: 0 for any number.
+/// Makes the argument of an optional limit. `most`: 0 for no maximum.
 template <int most>
 std::optional<double> ReadThreshold(const std::string& word) {
   const auto number = ParseNumber(word);
@@ -43,7 +43,7 @@ std::optional<double> ReadThreshold(const std::string& word) {
   return number.value;
 }
 
-/// A whole number that is none unless given.
+/// Makes the argument of an optional integer.
 template <int least, int most>
 std::optional<std::optional<int>> ReadWhole(const std::string& word) {
   const auto number = ParseNumber(word);
@@ -52,7 +52,7 @@ std::optional<std::optional<int>> ReadWhole(const std::string& word) {
   return static_cast<int>(number.value);
 }
 
-/// "one,two": as many texts as there are commas, and one.
+/// Splits "one,two" at its commas.
 std::optional<std::vector<std::string>> ReadTexts(const std::string& word) {
   std::vector<std::string> texts;
   for (std::size_t at = 0; at <= word.size();) {
@@ -63,7 +63,7 @@ std::optional<std::vector<std::string>> ReadTexts(const std::string& word) {
   return texts;
 }
 
-/// None of these has a default to show.
+/// Returns an empty text, since none of these has a default to show.
 template <class T>
 std::string ShowNothing(const T&) {
   return {};
@@ -84,15 +84,15 @@ Word Threshold(Lambda member, const char* range) {
 constexpr OptionNeed a_map{[](const Options& o) { return !As<ImageOptions>(o).map.empty(); }, "without -map"};
 constexpr OptionNeed a_limit{[](const Options& o) { return As<ImageOptions>(o).fail.has_value(); }, "without -fail"};
 
-// One entry stays one thought.
+// clang-format would split entries over many lines.
 // clang-format off
 constexpr std::array commands{
-    CommandKind{"diff", "image reference", 2, 2, "print how far an image, or all of a folder, is from a reference", R"(
+    CommandKind{"diff", "image reference", 2, 2, "measure the difference of an image, or a folder, from a reference", R"(
 Means are over all channels of all pixels that are finite in both images; x is the image, r the reference.
   linear RMSE      sqrt(mean (x-r)^2)
   relMSE           mean (x-r)^2 / (r^2 + 0.01)
-  display RMSE     as the linear one, of the values for a screen, in 255ths. Those are clamped to 0..1 and, with -srgb,
-                   encoded; without it they are taken as they are
+  display RMSE     RMSE of the displayed values, in 255ths. Those are clamped to 0..1 and, with -srgb, encoded;
+                   without it they are used unchanged
   PSNR             -10 log10(mean square) of the same values, in dB
   FLIP             mean perceived difference when the images alternate (Andersson et al. 2020), of the same values
   largest          the largest |x-r|, its pixel (x from the left, y from the bottom) and channel
@@ -100,56 +100,55 @@ Means are over all channels of all pixels that are finite in both images; x is t
 With -reference2 c, the same image as r from another random seed, also mean (x-r)(x-c) and its root: the error
 without the noise of the reference, which the linear RMSE counts as error of x (how misleading that can be: Whittle et
 al. 2017).
-With thresholds the exit status is 1 when one is exceeded. Pixels that are NaN or infinite fail every threshold.
-Of two folders, images of one name are compared, in whatever formats; those that have no partner are named, and folders
-within them are not searched. A line for each pair, the most different first, says how far it is, and the likely cause
-where the images alone show one that explains more than 80% of the squared difference of the displayed values: gamma,
-upside down, mirrored, transposed, turned, channels swapped, a constant factor, half a pixel, bytes that wrapped around,
-another size or format. The exit status is 1 as well for another size and for images without a partner, and 3 when an
-image cannot be read; the others are compared nonetheless.
--html writes a page with the images, FLIP maps and signed differences in it, to be read without scripts.
+With thresholds the exit status is 1 if one is exceeded. Pixels that are NaN or infinite fail every threshold.
+With two folders, images with the same name are compared, in any formats; those without a partner are listed, and
+subfolders are not searched. Each pair gets a line with its difference, the largest first, and a likely cause if one
+explains more than 80% of the squared difference of the displayed values: gamma, upside down, mirrored, transposed,
+turned, channels swapped, a constant factor, half a pixel, bytes that wrapped around, another size or format. The exit
+status is also 1 for another size and for images without a partner, and 3 if an image cannot be read; the others are
+compared nevertheless.
+-html writes a self-contained page with the images, FLIP maps and signed differences; it needs no scripts.
 )"},
-    CommandKind{"info", "image...", 1, any_number, "print what is in images and how they were made", R"(
-Size, format and metadata; of the finite values as stored, the minimum, mean and maximum of each channel and the mean
-luminance (0.30 r + 0.59 g + 0.11 b); how many values are negative, and how many NaN or infinite. Of an EXR also its
+    CommandKind{"info", "image...", 1, any_number, "print the contents of images and how they were made", R"(
+Size, format and metadata; the minimum, mean and maximum of the finite stored values of each channel and the mean
+luminance (0.30 r + 0.59 g + 0.11 b); the numbers of negative values and of NaN or infinite ones. For an EXR also its
 windows and layers, with the channels of each and their types.
 )"},
-    CommandKind{"extract", "in.exr layer out", 3, 3, "write one layer of an EXR as an image of its own", R"(
+    CommandKind{"extract", "in.exr layer out", 3, 3, "write one layer of an EXR as a separate image", R"(
 The layer N is the channels N.X, N.Y and N.Z, or N alone; R, G and B are the layer color. A channel can be named in
-full, and becomes a gray image. The values are floats, and stay so: the output is an EXR, PFM or HDR.
+full, and becomes a gray image. The values stay floats: the output is an EXR, PFM or HDR.
 )"},
     CommandKind{"convert", "in out", 2, 2, "write an image in another format, brighter, tone-mapped or encoded", R"(
-Values are multiplied by 2^exposure, go through the tone curve, channel by channel, and are encoded. Images of floats
-(pfm, hdr, exr) are never encoded. The metadata is kept, and the conversion added to it.
+Values are multiplied by 2^exposure, mapped by the tone curve, channel by channel, and encoded. Float images (pfm,
+hdr, exr) are never encoded. The metadata is kept, and the conversion added to it.
 )"},
     CommandKind{"resize", "in out", 2, 2, "write an image in another size", R"(
-With -width or -height alone the shape is kept. Pixels are weighted means of light: of values as they are, which is
-light where raypro wrote them, and with -srgb of what sRGB encodes. The filters are those of raypro, measured in pixels
-of the smaller image: box counts by area and keeps the mean; mitchell and lanczos are sharper, and may overshoot at
-edges. Images of floats (pfm, hdr, exr) stay floats. Alpha and further layers of an EXR are left out, with a warning.
+With -width or -height alone the aspect ratio is kept. Pixels are weighted means of the values, which are linear light
+if raypro wrote them; with -srgb they are decoded first. The filters are those of raypro, measured in pixels of the
+smaller image: box weights by area and keeps the mean; mitchell and lanczos are sharper, and may overshoot at edges.
+Float images (pfm, hdr, exr) stay floats. Alpha and further layers of an EXR are skipped, with a warning.
 )"},
     CommandKind{"crop", "in out", 2, 2, "write a part of an image", R"(
-The part is that of raypro -crop: columns x0..x1-1 from the left, rows y0..y1-1 from the bottom. From EXR to EXR all
-layers and alpha are cropped too. Images of floats stay floats.
+The part is given as for raypro -crop: columns x0..x1-1 from the left, rows y0..y1-1 from the bottom. From EXR to EXR
+all layers and alpha are cropped too. Float images stay floats.
 )"},
     CommandKind{"side-by-side", "image...", 1, any_number, "arrange images in a row, or in rows", R"(
-Writes the images, as they are, to the file that -out names. Those of a row must have one height; what a shorter row
-leaves is white. Images of floats stay floats.
+Writes the unchanged images to the file that -out names. Images in a row must have the same height; the rest of a
+shorter row is white. Float images stay floats.
 )"},
     CommandKind{"contact-sheet", "image|folder...", 1, any_number, "small images with their names on a sheet", R"(
-Of a folder, all images in it are shown, but not those of folders within it. Each is shrunk to fit into a square of
--width pixels, by area. An image that cannot be read is shown as a cross; the exit status is 3 then. Floats are shown
-as rayimg convert would write them.
+Shows all images of a folder, but not those of its subfolders. Each is shrunk to fit into a square of -width pixels,
+by area. An image that cannot be read is shown as a cross, and the exit status is then 3. Floats are shown as rayimg
+convert would write them.
 )"},
     CommandKind{"merge", "image...", 2, any_number, "average float images of different seeds", R"(
-Writes the weighted mean of images of floats (pfm, hdr, exr) of one size to the file that -out names. Refuses those
-that are not independent (the same scene or command, and a seed in common), those of different scenes or settings and
-those that were interrupted.
+Writes the weighted mean of float images (pfm, hdr, exr) of the same size to the file that -out names. Rejects images
+that are not independent (the same scene or command, and a common seed), those of different scenes or settings and those
+of interrupted renders.
 )"},
     CommandKind{"movie", "out.avi frame.jpg...", 2, any_number, "make a movie from JPEG images", R"(
-Writes an AVI file of motion JPEG: the frames as they are, in the order named, and an index. Nothing is encoded again,
-so the quality is that of the images. They must be JPEG and of one size; the same image may be listed
-more than once.
+Writes an AVI file of motion JPEG: the unchanged frames in the given order, and an index. Nothing is encoded again, so
+the quality is that of the images. They must be JPEGs of the same size; the same image may be listed more than once.
 )"},
 };
 
@@ -183,7 +182,7 @@ std::vector<OptionKind> OptionsOfCommands() {
       {"fail_flip", rayimg, {}, {}, {"x"}, Threshold<1>(AT(fail_flip), "a number, 0 to 1"), "", "",
        "the largest mean FLIP allowed", {"diff"}},
       {"json", rayimg, {}, {}, {}, Flag{AT(json)}, "", "",
-       "print a JSON object; what is infinite or unknown is null", {"diff"}},
+       "print a JSON object; infinite and unknown values are null", {"diff"}},
 
       {"html", rayimg, {}, {}, {"page.html"}, FileName{AT(html)}, "", "",
        "write a page that shows each pair", {"diff"}},
@@ -229,7 +228,7 @@ std::vector<OptionKind> OptionsOfCommands() {
         "numbers above 0, separated by commas"), "", "",
        "one per image; by default the samples in the metadata, if all have them, else equal", {"merge"}},
       {"force", rayimg, {}, {}, {}, Flag{AT(force)}, "", "",
-       "merge images even if they are not independent, not alike or were interrupted", {"merge"}},
+       "merge images even if they are dependent, unlike or were interrupted", {"merge"}},
 
       {"fps", rayimg, {}, {}, {"n"}, Number<double>{AT(fps), slowest_movie, fastest_movie}, "", "",
        "frames per second", {"movie"}},
@@ -239,7 +238,7 @@ std::vector<OptionKind> OptionsOfCommands() {
 
 #undef AT
 
-/// Throws UsageError where options of the command contradict each other, or one is missing.
+/// Throws UsageError if options of the command contradict each other, or one is missing.
 void CheckTogether(const ImageOptions& options) {
   const std::string name = options.command->name;
   const auto count = [&](std::size_t given, const std::string& option, const std::string& noun) {
@@ -274,7 +273,7 @@ const Program Program::rayimg{
     .summary = "compare, describe, convert and merge images, and make movies of them",
     .description =
         "Compares, describes, converts and merges images, and makes movies of them. Extensions choose the formats\n"
-        "of those written, contents tell those of those read. rayimg -help command lists the options of a command.\n",
+        "of written images, contents those of read ones. rayimg -help command lists the options of a command.\n",
     .examples =
         "  rayimg diff noisy.exr clean.exr -map where.png -fail_flip 0.05\n"
         "  rayimg convert out.exr out.jpg -exposure 1 -tonemap filmic -srgb\n"
@@ -285,7 +284,7 @@ const Program Program::rayimg{
                  {"2", "Wrong arguments."},
                  {"3", "An image is missing, damaged or too large."},
                  {"4", "A file cannot be written."}},
-    .failed = status::bad_scene,  // 1 says that images differ, and nothing else: scripts rely on it
+    .failed = status::bad_scene,  // status 1 means only that images differ: scripts rely on it
     .options = rayimg::Table,
     .commands = [] { return std::span<const CommandKind>(rayimg::commands); },
     .defaults = []() -> std::unique_ptr<Options> { return std::make_unique<rayimg::ImageOptions>(); },

@@ -9,7 +9,7 @@
 #include "source/parse/SceneError.h"
 #include "source/rayimg/Commands.h"
 #include "source/rayimg/ImageFolder.h"
-#include "source/rayimg/Pictures.h"
+#include "source/rayimg/Images.h"
 #include "source/rayimg/Sheet.h"
 
 namespace ray::rayimg {
@@ -17,22 +17,22 @@ namespace {
 
 constexpr int usual_width = 160;
 
-/// Pictures, and those of folders but for the sheet itself, which an earlier run may have left there.
-std::vector<std::string> PicturesOf(const std::vector<std::string>& names, const std::string& sheet) {
-  std::vector<std::string> pictures;
+/// Returns the named images, and those of folders except the sheet itself, which an earlier run may have left there.
+std::vector<std::string> ImagesOf(const std::vector<std::string>& names, const std::string& sheet) {
+  std::vector<std::string> images;
   for (const std::string& name : names) {
     std::error_code ignored;
     if (!std::filesystem::is_directory(name, ignored)) {
-      pictures.push_back(name);
+      images.push_back(name);
       continue;
     }
     for (const std::string& image : ImagesIn(name))
-      if (!std::filesystem::equivalent(image, sheet, ignored)) pictures.push_back(image);
+      if (!std::filesystem::equivalent(image, sheet, ignored)) images.push_back(image);
   }
-  return pictures;
+  return images;
 }
 
-/// A cross, for what cannot be read.
+/// Returns a cross, for files that cannot be read.
 R2::Image Cross(int side) {
   R2::Image cross(side, side);
   for (int y = 0; y < side; ++y)
@@ -41,7 +41,7 @@ R2::Image Cross(int side) {
   return cross;
 }
 
-/// The picture as a screen shows it, scaled to fit into a square of that side.
+/// Returns the image as displayed, scaled to fit into a square with that side.
 R2::Image Thumbnail(const std::string& name, const ImageOptions& options, int side) {
   R2::Image image = ReadLight(name, options.srgb).image;
   Expose(image, options);
@@ -54,8 +54,8 @@ R2::Image Thumbnail(const std::string& name, const ImageOptions& options, int si
 }  // namespace
 
 int ContactSheet(const ImageOptions& options, const std::string& command_line) {
-  const std::vector<std::string> names = PicturesOf(options.names, options.out);
-  const PictureOutput output = CheckPictureOutput(options.out, names);
+  const std::vector<std::string> names = ImagesOf(options.names, options.out);
+  const ImageOutput output = CheckImageOutput(options.out, names);
   if (names.empty()) throw UsageError("there is no image but the sheet itself");
   const int side = options.width.value_or(usual_width);
   int exit_status = status::done;

@@ -1,19 +1,19 @@
 #include "source/app/Status.h"
 #include "source/rayimg/Commands.h"
-#include "source/rayimg/Pictures.h"
+#include "source/rayimg/Images.h"
 
 namespace ray::rayimg {
 
 int Convert(const ImageOptions& options, const std::string& command_line) {
   const std::string& in = options.names[0];
   const std::string inputs[] = {in};
-  const PictureOutput output = CheckPictureOutput(options.names[1], inputs);
+  const ImageOutput output = CheckImageOutput(options.names[1], inputs);
   const R2::ImageEncoding encoding = EncodingOf(options, output);
 
-  R2::DecodedImage picture = ReadLight(in, options.srgb);
-  Expose(picture.image, options);
-  AddCommand(picture.settings, command_line);
-  Write(output, picture.image, encoding, picture.settings);
+  R2::DecodedImage decoded = ReadLight(in, options.srgb);
+  Expose(decoded.image, options);
+  AddCommand(decoded.settings, command_line);
+  Write(output, decoded.image, encoding, decoded.settings);
   return status::done;
 }
 

@@ -6,8 +6,8 @@
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
 #include "source/rayimg/Commands.h"
+#include "source/rayimg/Images.h"
 #include "source/rayimg/Layers.h"
-#include "source/rayimg/Pictures.h"
 #include "source/text/Quoting.h"
 
 namespace ray::rayimg {
@@ -29,7 +29,7 @@ R2::Image Cropped(const R2::Image& image, const PixelRectangle& crop) {
   return cropped;
 }
 
-/// All channels beside the color, up to three together.
+/// Returns all channels except the color, in groups of up to three.
 std::vector<R2::ImageLayer> CroppedLayers(const R2::ImageFormat& format, std::span<const unsigned char> bytes,
                                           const PixelRectangle& crop) {
   constexpr std::size_t most = 3;
@@ -51,22 +51,22 @@ std::vector<R2::ImageLayer> CroppedLayers(const R2::ImageFormat& format, std::sp
 int Crop(const ImageOptions& options, const std::string& command_line) {
   const std::string& in = options.names[0];
   const std::string inputs[] = {in};
-  const PictureOutput output = CheckPictureOutput(options.names[1], inputs);
+  const ImageOutput output = CheckImageOutput(options.names[1], inputs);
   const std::vector<unsigned char> bytes = ReadBytes(in);
-  R2::DecodedImage picture = DecodePicture(in, bytes);
-  PrintWarnings(in, picture.warnings);
-  RefuseToRound(in, picture.format->is_linear, output);
-  RefuseOutside(in, picture.image, *options.crop);
-  AddCommand(picture.settings, command_line);
-  const R2::Image cropped = Cropped(picture.image, *options.crop);
+  R2::DecodedImage decoded = DecodeImageFile(in, bytes);
+  PrintWarnings(in, decoded.warnings);
+  RefuseToRound(in, decoded.format->is_linear, output);
+  RefuseOutside(in, decoded.image, *options.crop);
+  AddCommand(decoded.settings, command_line);
+  const R2::Image cropped = Cropped(decoded.image, *options.crop);
   if (!output.format->encode_layers) {
-    WarnOfLayersLeftOut(in);
-    Write(output, cropped, EncodingOf(options, output), picture.settings);
+    WarnOfFurtherLayers(in);
+    Write(output, cropped, EncodingOf(options, output), decoded.settings);
     return status::done;
   }
   try {
-    const auto layers = CroppedLayers(*picture.format, bytes, *options.crop);
-    WriteWhole(output.file, output.format->encode_layers(cropped, layers, picture.settings));
+    const auto layers = CroppedLayers(*decoded.format, bytes, *options.crop);
+    WriteWhole(output.file, output.format->encode_layers(cropped, layers, decoded.settings));
   } catch (const R2::ImageError& error) {
     throw SceneErrors({ErrorIn(in, error.what())});
   }

@@ -11,9 +11,9 @@
 #include "source/rayimg/Commands.h"
 #include "source/rayimg/Findings.h"
 #include "source/rayimg/FolderDiff.h"
+#include "source/rayimg/Images.h"
 #include "source/rayimg/Independence.h"
 #include "source/rayimg/PairTables.h"
-#include "source/rayimg/Pictures.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
@@ -41,7 +41,7 @@ std::string TextOf(const Findings& found, const ImageOptions& options) {
                                        (root ? Rounded(*root) : "below the references' noise"));
   }
   if (d.pixels_not_finite > 0)
-    text += Line("not finite", Counted(static_cast<std::uint64_t>(d.pixels_not_finite), "pixel") + ", left out above");
+    text += Line("not finite", Counted(static_cast<std::uint64_t>(d.pixels_not_finite), "pixel") + ", excluded above");
   if (found.pixels_beyond)
     text += Line("beyond " + ToText(*options.fail), Counted(static_cast<std::uint64_t>(*found.pixels_beyond), "pixel") +
                                                         ", " + Rounded(found.PercentBeyond()) + "%");
@@ -49,8 +49,8 @@ std::string TextOf(const Findings& found, const ImageOptions& options) {
   return text;
 }
 
-/// A reference that began with the same random numbers shares noise with the picture, which then looks better than it
-/// is. With as many samples, the same picture is meant to come out, and nothing is to be said.
+/// Warns if the reference started with the same random numbers: it then shares noise with the image, which looks better
+/// than it is. With equal numbers of samples no warning is given, because identical images are expected.
 void WarnOfSharedNoise(const std::vector<std::string>& names, const R2::ImageSettings& x, const R2::ImageSettings& r) {
   if (Setting(x, "samples") == Setting(r, "samples")) return;
   if (const auto why = WhyDependent(names[0], x, names[1], r))
@@ -63,38 +63,38 @@ void RefuseDependent(const std::string& a_name, const R2::DecodedImage& a, const
     throw UsageError("-reference2 needs an image of its own: " + *why);
 }
 
-/// Names may be any bytes; JSON holds UTF-8 only.
+/// Returns JSON text. File names may be any bytes, but JSON must be UTF-8.
 std::string JsonText(const Findings& found, const ImageOptions& options) {
   nlohmann::ordered_json json{{"picture", options.names[0]}, {"reference", options.names[1]}};
   json.update(JsonOf(found, options.reference2));
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// The error without the noise of the reference.
-double Product(const R2::DecodedImage& picture, const R2::DecodedImage& reference, const ImageOptions& options) {
+/// Returns the error without the noise of the reference.
+double Product(const R2::DecodedImage& decoded, const R2::DecodedImage& reference, const ImageOptions& options) {
   const R2::DecodedImage second = ReadLight(options.reference2, options.srgb);
-  RefuseOtherSize(options.names[0], picture.image, options.reference2, second.image);
-  RefuseDependent(options.names[0], picture, options.reference2, second);
+  RefuseOtherSize(options.names[0], decoded.image, options.reference2, second.image);
+  RefuseDependent(options.names[0], decoded, options.reference2, second);
   RefuseDependent(options.names[1], reference, options.reference2, second);
-  return ProductMse(picture.image, reference.image, second.image);
+  return ProductMse(decoded.image, reference.image, second.image);
 }
 
-int DiffPictures(const ImageOptions& options, const std::string& command_line) {
+int DiffImages(const ImageOptions& options, const std::string& command_line) {
   std::vector<std::string> inputs = options.names;
   if (!options.reference2.empty()) inputs.push_back(options.reference2);
-  std::optional<PictureOutput> map_output;
-  if (!options.map.empty()) map_output = CheckPictureOutput(options.map, inputs);
+  std::optional<ImageOutput> map_output;
+  if (!options.map.empty()) map_output = CheckImageOutput(options.map, inputs);
   const PairTables tables(options, inputs);
 
-  const R2::DecodedImage picture = ReadLight(options.names[0], options.srgb);
+  const R2::DecodedImage decoded = ReadLight(options.names[0], options.srgb);
   const R2::DecodedImage reference = ReadLight(options.names[1], options.srgb);
-  const R2::Image &x = picture.image, &r = reference.image;
+  const R2::Image &x = decoded.image, &r = reference.image;
   RefuseOtherSize(options.names[0], x, options.names[1], r);
-  WarnOfSharedNoise(options.names, picture.settings, reference.settings);
+  WarnOfSharedNoise(options.names, decoded.settings, reference.settings);
 
   Measurement measured = Measure(x, r, options);
   Findings& found = measured.found;
-  if (!options.reference2.empty()) found.product = Product(picture, reference, options);
+  if (!options.reference2.empty()) found.product = Product(decoded, reference, options);
   if (map_output) {
     const R2::Plane plane =
         options.map_of == MapOf::flip ? measured.flip_map : DisplayDifference(x, r, DisplayOf(options));
@@ -102,7 +102,7 @@ int DiffPictures(const ImageOptions& options, const std::string& command_line) {
   }
   if (tables.AreWanted())
     tables.Write(
-        {ResultOf({options.names[0], options.names[0], options.names[1]}, picture, reference, measured, options)});
+        {ResultOf({options.names[0], options.names[0], options.names[1]}, decoded, reference, measured, options)});
   WriteStandardOutput(options.json ? JsonText(found, options) : TextOf(found, options));
   return found.failures.empty() ? status::done : status::failed;
 }
@@ -119,8 +119,8 @@ int Diff(const ImageOptions& options, const std::string& command_line) {
   if (first && second) return DiffFolders(options);
   if (first || second)
     throw UsageError(QuotedPath(options.names[first ? 0 : 1]) + " is a folder and " +
-                     QuotedPath(options.names[first ? 1 : 0]) + " is none; diff compares two images or two folders");
-  return DiffPictures(options, command_line);
+                     QuotedPath(options.names[first ? 1 : 0]) + " is not; diff compares two images or two folders");
+  return DiffImages(options, command_line);
 }
 
 }  // namespace ray::rayimg

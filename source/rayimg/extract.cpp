@@ -8,8 +8,8 @@
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
 #include "source/rayimg/Commands.h"
+#include "source/rayimg/Images.h"
 #include "source/rayimg/Layers.h"
-#include "source/rayimg/Pictures.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
@@ -17,7 +17,7 @@
 namespace ray::rayimg {
 namespace {
 
-/// "; did you mean 'N'?" for what raypro -layers calls normal, and for other names that are alike.
+/// Returns "; did you mean 'N'?" for raypro's layer name normal, and for similar names.
 std::string Hint(const std::string& name, const std::vector<std::string>& names) {
   constexpr std::array<std::pair<const char*, const char*>, 5> other_words{
       {{"normal", "N"}, {"normals", "N"}, {"depth", "Z"}, {"z", "Z"}, {"alpha", "A"}}};
@@ -37,7 +37,7 @@ std::string Hint(const std::string& name, const std::vector<std::string>& names)
   throw UsageError(Quoted(file) + " has no layer " + Quoted(name) + Hint(name, names) + " (its layers: " + list + ")");
 }
 
-/// A layer by its name, or a single channel by its whole name.
+/// Finds a layer by its name, or a single channel by its whole name.
 Layer Find(const std::string& file, const std::string& name, const std::vector<Layer>& layers) {
   const auto layer = std::ranges::find(layers, name, &Layer::name);
   if (layer != layers.end()) return *layer;
@@ -47,22 +47,22 @@ Layer Find(const std::string& file, const std::string& name, const std::vector<L
   RefuseLayer(file, name, layers);
 }
 
-/// An image has three channels.
+/// Returns the first three channels, as many as an image has.
 std::vector<std::string> FirstThree(const std::string& file, const Layer& layer) {
   constexpr std::size_t most = 3;
   std::vector<std::string> names = ChannelNames(layer);
   for (std::size_t i = most; i < names.size(); ++i)
     PrintError("rayimg: warning: " + Quoted(file) + ": channel " + Quoted(names[i]) +
-               " is left out; it can be extracted by that name");
+               " is skipped; extract it by its name");
   names.resize(std::min(most, names.size()));
   return names;
 }
 
 R2::DecodedImage DecodeLayer(const std::string& file, const Layer& layer, const R2::ImageFormat& format,
                              std::span<const unsigned char> bytes) {
-  // Luminance and chroma are no colors until they are converted.
+  // Luminance and chroma must be converted to colors first.
   const bool is_color = layer.name == color_layer && layer.channels.size() > 1;
-  if (is_color) return DecodePicture(file, bytes);
+  if (is_color) return DecodeImageFile(file, bytes);
   R2::DecodedImage decoded = format.decode_channels(bytes, FirstThree(file, layer));
   decoded.format = &format;
   return decoded;
@@ -73,7 +73,7 @@ R2::DecodedImage DecodeLayer(const std::string& file, const Layer& layer, const 
 int Extract(const ImageOptions& options, const std::string& command_line) {
   const std::string &in = options.names[0], &name = options.names[1];
   const std::string inputs[] = {in};
-  const PictureOutput output = CheckPictureOutput(options.names[2], inputs);
+  const ImageOutput output = CheckImageOutput(options.names[2], inputs);
   const std::vector<unsigned char> bytes = ReadBytes(in);
   try {
     const R2::ImageFormat& format = *R2::ReadImageHeader(bytes).format;
@@ -81,10 +81,10 @@ int Extract(const ImageOptions& options, const std::string& command_line) {
       throw UsageError(Quoted(in) + " is a " + format.name + ", which has no layers; those of EXR have names");
     const Layer layer = Find(in, name, LayersOf(format.read_channels(bytes)));
     RefuseToRound(in, true, output);
-    R2::DecodedImage picture = DecodeLayer(in, layer, format, bytes);
-    PrintWarnings(in, picture.warnings);
-    AddCommand(picture.settings, command_line);
-    Write(output, picture.image, {}, picture.settings);
+    R2::DecodedImage decoded = DecodeLayer(in, layer, format, bytes);
+    PrintWarnings(in, decoded.warnings);
+    AddCommand(decoded.settings, command_line);
+    Write(output, decoded.image, {}, decoded.settings);
   } catch (const R2::ImageError& error) {
     throw SceneErrors({ErrorIn(in, error.what())});
   }

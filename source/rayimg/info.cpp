@@ -11,8 +11,8 @@
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
 #include "source/rayimg/Commands.h"
+#include "source/rayimg/Images.h"
 #include "source/rayimg/Layers.h"
-#include "source/rayimg/Pictures.h"
 
 namespace ray::rayimg {
 namespace {
@@ -62,12 +62,12 @@ std::string LayersText(const R2::ImageChannels& channels) {
   return text;
 }
 
-/// Size, format, metadata, layers, and statistics of the color; a file may have none.
+/// Returns size, format, metadata, layers, and statistics of the color, which a file may lack.
 std::string TextOf(const std::string& name) {
   const std::vector<unsigned char> bytes = ReadBytes(name);
   try {
     const R2::ImageHeader header = R2::ReadImageHeader(bytes);
-    std::string text = PictureText(name, header);
+    std::string text = ImageText(name, header);
     if (header.format->read_channels) {
       const R2::ImageChannels channels = header.format->read_channels(bytes);
       text += LayersText(channels);
@@ -75,9 +75,9 @@ std::string TextOf(const std::string& name) {
       if (std::ranges::find(layers, color_layer, &Layer::name) == layers.end())
         return text + "no color: rayimg extract takes a layer\n";
     }
-    const R2::DecodedImage picture = DecodePicture(name, bytes);
-    PrintWarnings(name, picture.warnings);
-    return text + StatisticsText(picture.image);
+    const R2::DecodedImage decoded = DecodeImageFile(name, bytes);
+    PrintWarnings(name, decoded.warnings);
+    return text + StatisticsText(decoded.image);
   } catch (const R2::ImageError& error) {
     throw SceneErrors({ErrorIn(name, error.what())});
   }
@@ -86,7 +86,7 @@ std::string TextOf(const std::string& name) {
 }  // namespace
 
 int Info(const ImageOptions& options, const std::string&) {
-  // One bad file among many does not hide the others.
+  // One bad file does not stop the others.
   int exit_status = status::done;
   std::string gap;
   for (const std::string& name : options.names) {

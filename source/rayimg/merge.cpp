@@ -11,8 +11,8 @@
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
 #include "source/rayimg/Commands.h"
+#include "source/rayimg/Images.h"
 #include "source/rayimg/Independence.h"
-#include "source/rayimg/Pictures.h"
 #include "source/text/Number.h"
 #include "source/text/NumberText.h"
 #include "source/text/Quoting.h"
@@ -23,7 +23,7 @@ namespace {
 
 using R2::ImageSettings;
 
-constexpr const char* unless_forced = "; -force merges them all the same";
+constexpr const char* unless_forced = "; -force merges them anyway";
 
 void RefuseDependent(const std::vector<std::string>& names, const std::vector<ImageSettings>& settings) {
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -32,8 +32,8 @@ void RefuseDependent(const std::vector<std::string>& names, const std::vector<Im
         throw UsageError(*why + unless_forced);
 }
 
-/// The options of the render behind a picture that say what it shows, as they were typed; all but its seed and its
-/// samples. Nothing where another program made it.
+/// Returns the options of the render behind an image that determine its content, as typed, without its seed and
+/// samples. std::nullopt if another program made it.
 std::optional<std::string> Look(const ImageSettings& settings) {
   std::istringstream words(Setting(settings, "command"));
   std::string word, look;
@@ -48,7 +48,7 @@ std::optional<std::string> Look(const ImageSettings& settings) {
   return look;
 }
 
-/// Why one of two pictures shows something else than the other, as far as they tell.
+/// Returns why two images have different content, as far as their metadata show.
 std::optional<std::string> WhyUnlike(const ImageSettings& a, const ImageSettings& b) {
   const auto differ = [&](const std::string& key) {
     return !Setting(a, key).empty() && !Setting(b, key).empty() && !Agree(a, b, key);
@@ -80,27 +80,27 @@ void WarnOfUnknownSeeds(const std::vector<std::string>& names, const std::vector
       PrintError("rayimg: warning: " + Quoted(names[i]) + " records no seed; assuming it is independent");
 }
 
-/// The first pass: what is said of the pictures, which decides whether and how they are merged.
+/// Reads the metadata in a first pass, which decides whether and how the images are merged.
 std::vector<ImageSettings> ReadSettings(const std::vector<std::string>& names) {
   std::vector<ImageSettings> settings;
   R2::Image first;
   for (const std::string& name : names) {
-    const R2::DecodedImage picture = ReadPicture(name);
-    if (!picture.format->is_linear)
-      throw UsageError(Quoted(name) + " is a " + picture.format->name +
-                       ", whose values are rounded and clamped; merge takes pfm, hdr and exr");
-    if (settings.empty()) first = picture.image;
-    RefuseOtherSize(names[0], first, name, picture.image);
-    settings.push_back(picture.settings);
+    const R2::DecodedImage decoded = ReadImageFile(name);
+    if (!decoded.format->is_linear)
+      throw UsageError(Quoted(name) + " is a " + decoded.format->name +
+                       ", whose values are rounded and clamped; merge needs pfm, hdr or exr");
+    if (settings.empty()) first = decoded.image;
+    RefuseOtherSize(names[0], first, name, decoded.image);
+    settings.push_back(decoded.settings);
   }
   return settings;
 }
 
-/// Samples per pixel of all images, or nothing. They are means over the pixels, and not whole where an error or a clock
-/// decided.
+/// Returns the samples per pixel of all images, or std::nullopt. They are means over the pixels, and not integers if an
+/// error or a clock ended the render.
 std::optional<std::vector<double>> StoredSamples(const std::vector<std::string>& names,
                                                  const std::vector<ImageSettings>& settings) {
-  constexpr double most = 9007199254740992;  // 2^53: beyond, sums would not be exact
+  constexpr double most = 9007199254740992;  // 2^53: beyond that, sums would not be exact
   std::vector<double> samples;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto number = ParseNumber(Setting(settings[i], "samples"));
@@ -122,13 +122,13 @@ std::vector<double> Scaled(std::vector<double> weights) {
   return weights;
 }
 
-/// The second pass: pictures are read again one by one, so that a hundred of them need no more memory than two. Their
-/// warnings have been printed.
+/// Computes the mean in a second pass that reads the images again, one at a time, so that a hundred of them need no
+/// more memory than two. Their warnings have been printed before.
 R2::Image WeightedMean(const std::vector<std::string>& names, const std::vector<double>& weights) {
   R2::Image mean;
   std::vector<double> sums;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const R2::Image image = DecodePicture(names[i], ReadBytes(names[i])).image;
+    const R2::Image image = DecodeImageFile(names[i], ReadBytes(names[i])).image;
     if (i == 0) {
       mean = image;
       sums.resize(image.Channels().size());
@@ -146,7 +146,7 @@ R2::Image WeightedMean(const std::vector<std::string>& names, const std::vector<
   return mean;
 }
 
-/// What all pictures agree on, all their seeds, and the sum of their samples where it has a meaning.
+/// Returns the settings that all images share, all their seeds, and the sum of their samples if meaningful.
 ImageSettings MergedSettings(const std::vector<ImageSettings>& settings, bool by_samples, double samples,
                              const std::string& command_line) {
   ImageSettings merged = settings[0];
@@ -170,7 +170,7 @@ ImageSettings MergedSettings(const std::vector<ImageSettings>& settings, bool by
 
 int Merge(const ImageOptions& options, const std::string& command_line) {
   const std::vector<std::string>& names = options.names;
-  const PictureOutput output = CheckPictureOutput(options.out, names);
+  const ImageOutput output = CheckImageOutput(options.out, names);
   const std::vector<ImageSettings> settings = ReadSettings(names);
   if (!options.force) {
     RefuseDependent(names, settings);

@@ -8,13 +8,13 @@
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
 #include "source/rayimg/Commands.h"
-#include "source/rayimg/Pictures.h"
+#include "source/rayimg/Images.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Quoting.h"
 
-// AVI is RIFF: chunks of four letters, a size and as many bytes; a LIST's first four letters say what it holds.
+// AVI is RIFF: chunks of four letters, a size and as many bytes; a LIST's first four letters state its content.
 //   RIFF 'AVI '
-//     LIST 'hdrl'       avih: the movie; LIST 'strl' { strh: its one stream; strf: its pictures }
+//     LIST 'hdrl'       avih: the movie; LIST 'strl' { strh: its one stream; strf: its images }
 //     LIST 'movi'       00dc: a frame, the bytes of a JPEG; and so on
 //     idx1              where each frame is, so that players can jump
 // source: Microsoft, AVI RIFF File Reference (AVIMAINHEADER, AVISTREAMHEADER, AVIOLDINDEX, BITMAPINFOHEADER)
@@ -23,19 +23,19 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-// Sizes have 32 bits, but readers are known to take them for signed ones.
+// Sizes have 32 bits, but some readers treat them as signed.
 constexpr std::uint64_t most_bytes = (std::uint64_t{1} << 31) - 1;
-constexpr std::uint32_t scale = 1000;       // frames a second are counted in thousandths
+constexpr std::uint32_t scale = 1000;       // frames per second are counted in thousandths
 constexpr const char* frame_name = "00dc";  // of stream 0, compressed
 
 struct Frames {
   R2::ImageSize size;
-  std::vector<Bytes> jpegs;  // one a frame
+  std::vector<Bytes> jpegs;  // one per frame
 };
 
 void Append(Bytes& bytes, std::string_view letters) { bytes.insert(bytes.end(), letters.begin(), letters.end()); }
 
-/// The lowest byte first, as all numbers in RIFF.
+/// Appends a number with the lowest byte first, as everywhere in RIFF.
 void Append(Bytes& bytes, std::uint64_t number, int count) {
   for (int i = 0; i < count; ++i) bytes.push_back(static_cast<unsigned char>(number >> (8 * i)));
 }
@@ -63,7 +63,7 @@ Bytes MovieHeader(const Frames& frames, double fps) {
   constexpr std::uint32_t has_index = 0x10;
   const auto bytes_a_second = static_cast<double>(LargestFrame(frames)) * fps;
   Bytes header;
-  Append32(header, static_cast<std::uint64_t>(std::llround(1e6 / fps)));  // microseconds a frame
+  Append32(header, static_cast<std::uint64_t>(std::llround(1e6 / fps)));  // microseconds per frame
   Append32(header, static_cast<std::uint64_t>(std::min(bytes_a_second, double{most_bytes})));
   Append32(header, 0);  // no padding beyond that of RIFF
   Append32(header, has_index);
@@ -109,14 +109,14 @@ Bytes StreamFormat(const R2::ImageSize& size) {
   Append16(format, 1);   // planes
   Append16(format, 24);  // bits per pixel
   Append(format, "MJPG");
-  Append32(format, std::min(3 * width * height, most_bytes));  // bytes of a picture; a player's hint
+  Append32(format, std::min(3 * width * height, most_bytes));  // bytes of an image; a hint for players
   for (int i = 0; i < 4; ++i) Append32(format, 0);             // pixels per meter, twice; colors of a palette, twice
   return format;
 }
 
-/// Places count from the letters 'movi'.
+/// Returns the index. Positions count from the letters 'movi'.
 Bytes Index(const std::vector<Bytes>& jpegs) {
-  constexpr std::uint32_t key_frame = 0x10;  // needs no other frame
+  constexpr std::uint32_t key_frame = 0x10;  // independent of other frames
   Bytes index;
   std::uint64_t at = 4;
   for (const Bytes& jpeg : jpegs) {
@@ -142,22 +142,22 @@ Bytes Avi(const Frames& frames, double fps) {
   return avi;
 }
 
-/// Every frame is decoded: a player would stop at one that is damaged.
+/// Reads and decodes every frame, since a player would stop at a damaged one.
 Frames ReadFrames(const std::vector<std::string>& names) {
   Frames frames;
   R2::Image first;
   std::uint64_t bytes = 1024;  // more than all headers
   for (const std::string& name : names) {
     Bytes jpeg = ReadBytes(name);
-    const R2::DecodedImage picture = DecodePicture(name, jpeg);
-    PrintWarnings(name, picture.warnings);
-    if (std::string_view(picture.format->name) != "jpeg")
-      throw UsageError(Quoted(name) + " is a " + picture.format->name + "; the frames of a movie are jpeg");
-    if (picture.is_turned)
-      throw UsageError(Quoted(name) + " asks to be turned, which players of movies do not do; rayimg convert turns it");
-    if (frames.jpegs.empty()) first = picture.image;
-    RefuseOtherSize(names[0], first, name, picture.image);
-    bytes += jpeg.size() + 8 + 16 + 1;  // with its chunk's head, its line in the index, and what makes it even
+    const R2::DecodedImage decoded = DecodeImageFile(name, jpeg);
+    PrintWarnings(name, decoded.warnings);
+    if (std::string_view(decoded.format->name) != "jpeg")
+      throw UsageError(Quoted(name) + " is a " + decoded.format->name + "; the frames of a movie are jpeg");
+    if (decoded.is_turned)
+      throw UsageError(Quoted(name) + " has an orientation, which movie players ignore; rayimg convert applies it");
+    if (frames.jpegs.empty()) first = decoded.image;
+    RefuseOtherSize(names[0], first, name, decoded.image);
+    bytes += jpeg.size() + 8 + 16 + 1;  // its chunk header, its index entry, and its padding
     if (bytes > most_bytes) throw UsageError("the movie would be larger than 2 GiB, at " + Quoted(name));
     frames.jpegs.push_back(std::move(jpeg));
   }

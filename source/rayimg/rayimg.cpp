@@ -1,4 +1,4 @@
-// rayimg compares, describes, converts, arranges and merges pictures, and makes movies of them. Its commands and their
+// rayimg compares, describes, converts, arranges and merges images, and makes movies of them. Its commands and their
 // options are in Table.cpp.
 #include <map>
 #include <string>

@@ -5,13 +5,13 @@
 
 #include "source/app/Status.h"
 #include "source/rayimg/Commands.h"
+#include "source/rayimg/Images.h"
 #include "source/rayimg/Layers.h"
-#include "source/rayimg/Pictures.h"
 
 namespace ray::rayimg {
 namespace {
 
-/// The side that is not named keeps the shape.
+/// Returns the new size; a side that is not given follows from the aspect ratio.
 R2::ImageSize NewSize(const R2::Image& image, const ImageOptions& options) {
   const auto scaled = [](int side, int named, int other) {
     return std::max(std::int64_t{1},
@@ -28,14 +28,14 @@ R2::ImageSize NewSize(const R2::Image& image, const ImageOptions& options) {
 int Resize(const ImageOptions& options, const std::string& command_line) {
   const std::string& in = options.names[0];
   const std::string inputs[] = {in};
-  const PictureOutput output = CheckPictureOutput(options.names[1], inputs);
-  R2::DecodedImage picture = ReadLight(in, options.srgb);
-  RefuseToRound(in, picture.format->is_linear, output);
-  const R2::ImageSize size = NewSize(picture.image, options);
-  WarnOfLayersLeftOut(in);
-  AddCommand(picture.settings, command_line);
-  Write(output, Resized(picture.image, size.width, size.height, options.filter), EncodingOf(options, output),
-        picture.settings);
+  const ImageOutput output = CheckImageOutput(options.names[1], inputs);
+  R2::DecodedImage decoded = ReadLight(in, options.srgb);
+  RefuseToRound(in, decoded.format->is_linear, output);
+  const R2::ImageSize size = NewSize(decoded.image, options);
+  WarnOfFurtherLayers(in);
+  AddCommand(decoded.settings, command_line);
+  Write(output, Resized(decoded.image, size.width, size.height, options.filter), EncodingOf(options, output),
+        decoded.settings);
   return status::done;
 }
 

@@ -3,15 +3,15 @@
 #include "source/app/Status.h"
 #include "source/app/manual/Help.h"
 #include "source/rayimg/Commands.h"
+#include "source/rayimg/Images.h"
 #include "source/rayimg/Layers.h"
-#include "source/rayimg/Pictures.h"
 #include "source/rayimg/Sheet.h"
 #include "source/text/Quoting.h"
 
 namespace ray::rayimg {
 namespace {
 
-/// The number of pictures in a row.
+/// Returns the number of images in a row.
 std::size_t Columns(const ImageOptions& options) {
   return options.columns ? static_cast<std::size_t>(*options.columns) : options.names.size();
 }
@@ -33,14 +33,14 @@ std::string CaptionOf(const ImageOptions& options, std::size_t i) {
 }  // namespace
 
 int SideBySide(const ImageOptions& options, const std::string& command_line) {
-  const PictureOutput output = CheckPictureOutput(options.out, options.names);
+  const ImageOutput output = CheckImageOutput(options.out, options.names);
   std::vector<Tile> tiles;
   for (std::size_t i = 0; i < options.names.size(); ++i) {
     const std::string& name = options.names[i];
-    R2::DecodedImage picture = ReadLight(name, options.srgb);
-    RefuseToRound(name, picture.format->is_linear, output);
-    WarnOfLayersLeftOut(name);
-    tiles.push_back({std::move(picture.image), CaptionOf(options, i)});
+    R2::DecodedImage decoded = ReadLight(name, options.srgb);
+    RefuseToRound(name, decoded.format->is_linear, output);
+    WarnOfFurtherLayers(name);
+    tiles.push_back({std::move(decoded.image), CaptionOf(options, i)});
     RefuseOtherHeight(options, tiles);
   }
   const SheetLayout layout{.columns = Columns(options),

@@ -10,8 +10,8 @@
 
 namespace ray {
 
-/// Points of many paths side by side: one of each, from sequences of their own, a coordinate an array over the paths,
-/// so that loops become vector instructions.
+/// One point for each of many paths, from separate sequences. Coordinates are stored as arrays over the paths, so that
+/// loops become vector instructions.
 template <std::size_t size>
 struct PointsOfEach {
   static constexpr std::size_t most = R1::batch_size;
@@ -20,12 +20,12 @@ struct PointsOfEach {
   R2::Point Get2D(std::size_t i) const { return {coordinates[0][i], coordinates[1][i]}; }
 };
 
-/// Bit for bit what `at[i].PointsFor(which, kind, samples).Get<size>(at[i].sample)` gives, of at most `most` paths
-/// whose camera_dimensions are alike.
+/// Computes the points, bit-identical to `at[i].PointsFor(which, kind, samples).Get<size>(at[i].sample)`, of at most
+/// `most` paths with equal camera_dimensions.
 void GetOfEach(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind kind, std::uint32_t samples,
                PointsOfEach<2>& points);
-/// Points of `Points(kind, at[i].key.Child(which), samples)`: choices that none of the camera's are even together
-/// with. There are two to five coordinates.
+/// Computes points of `Points(kind, at[i].key.Child(which), samples)`, for choices that are not stratified together
+/// with the camera's. There are two to five coordinates.
 template <std::size_t size>
 void GetOfEachAlone(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind kind, std::uint32_t samples,
                     PointsOfEach<size>& points);

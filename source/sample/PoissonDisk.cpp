@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t pattern_size = 64;
 using Places = std::array<R2::Point, pattern_size>;
 
-/// The square of the distance between two places, across an edge where that is shorter.
+/// Returns the squared distance between two points, across an edge if that is shorter.
 double SquaredDistance(const R2::Point& a, const R2::Point& b) {
   const double x = std::abs(a.x - b.x), y = std::abs(a.y - b.y);
   const double dx = std::min(x, 1 - x), dy = std::min(y, 1 - y);
@@ -25,7 +25,7 @@ double SquaredDistanceToFirst(const Places& places, std::uint32_t first, const R
 
 Places BestCandidates() {
   Places places;
-  constexpr std::uint32_t candidates_for_each = 8;  // of the places there are: twice as many gain 2% in distance
+  constexpr std::uint32_t candidates_for_each = 8;  // per existing point: twice as many gain 2% in distance
   const RandomKey key(1991);
   for (std::uint32_t i = 0; i < pattern_size; ++i) {
     double farthest = -1;

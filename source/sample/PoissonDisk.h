@@ -7,11 +7,12 @@
 
 namespace ray {
 
-/// Place `index` of a sequence in the unit square in which any first n, up to 64, keep a distance from each other: none
-/// are nearer than 0.55 / sqrt(n), across the square's edges too. Each 64 are the same ones, moved as a whole by a
-/// random way that `key` says, so that every place is as likely.
-///   source   Mitchell, Spectrally optimal sampling for distribution ray tracing (1991): each is the one farthest from
-///            those before, of many candidates
+/// Returns point `index` of a sequence in the unit square whose first n points, for n up to 64, keep a distance from
+/// each other: at least 0.55 / sqrt(n), also across the square's edges. Each group of 64 repeats the same points,
+/// shifted as a whole by a random vector that depends on `key`, so that every position is equally likely.
+///   source   Mitchell, Spectrally optimal sampling for distribution ray tracing (1991): each point is the farthest
+///            from
+///            the earlier ones among many candidates
 R2::Point PoissonDiskPlace(std::uint32_t index, const RandomKey& key);
 
 }  // namespace ray

@@ -7,7 +7,7 @@
 namespace ray {
 namespace {
 
-/// The next power of two, less 1, which is what fits into 32 bits of it for any count.
+/// Returns the next power of two minus 1, which fits into 32 bits for any count.
 std::uint32_t MaskOf(std::uint32_t count) { return count > 1 ? ~0u >> std::countl_zero(count - 1) : 0; }
 
 }  // namespace
@@ -23,7 +23,7 @@ std::uint32_t Shuffle::operator()(std::uint32_t index) const {
   std::uint32_t i = index;
   do {
     // Each line is a bijection of 0 ... mask: adding, multiplying by an odd number, folding the high half into the low.
-    // Eight rounds: with four, a chi-square test over where each of seven goes still sees a pattern.
+    // Eight rounds: with four, a chi-square test of where each of seven values goes still detects a pattern.
     for (int round = 0; round < 8; ++round) {
       const auto salt = static_cast<std::uint32_t>(salts_[round / 4] >> (16 * (round % 4)));
       i = (i + salt) & mask_;
@@ -41,7 +41,7 @@ Stratified::Stratified(std::uint32_t count, const RandomKey& key)
       shuffle_(count, key.Child(0)) {}
 
 R2::Point Stratified::operator[](std::uint32_t index) const {
-  constexpr std::uint32_t products_fit = 1 << 20;  // into 32 bits, in which dividing takes half as long
+  constexpr std::uint32_t products_fit = 1 << 20;  // into 32 bits, in which division takes half as long
   const std::uint32_t cell = shuffle_(index);
   return count_ < products_fit ? InCell<std::uint32_t>(cell, index) : InCell<std::uint64_t>(cell, index);
 }
@@ -49,7 +49,7 @@ R2::Point Stratified::operator[](std::uint32_t index) const {
 template <typename Whole>
 R2::Point Stratified::InCell(Whole cell, std::uint32_t index) const {
   const Whole n = count_, rows = rows_;
-  // Row r holds the cells from floor(r n / rows) up to, not including, floor((r + 1) n / rows).
+  // Row r contains the cells from floor(r n / rows) up to, not including, floor((r + 1) n / rows).
   Whole row = cell * rows / n;
   while ((row + 1) * n / rows <= cell) ++row;
   const Whole first = row * n / rows, after = (row + 1) * n / rows;

@@ -6,22 +6,23 @@
 
 namespace ray {
 
-inline constexpr double below_one = 1 - 0x1p-53;  // the largest random number
+inline constexpr double below_one = 1 - 0x1p-53;  // the largest random number, below 1
 
-/// Random numbers without state: a number is a function of where it is used. A key stands for one use (seed, pixel,
-/// sample, bounce, light ...) and is hashed from the key of the one around it.
+/// A key for stateless random numbers: a number is a function of where it is used. A key stands for one use (seed,
+/// pixel, sample, bounce, light ...) and is hashed from the key of the enclosing one.
 class RandomKey {
  public:
-  // Mixed twice: after one time, child b of seed a would be child a of seed b, and child a of seed a the same for all.
+  // Mixed twice: with one mix, child b of seed a would equal child a of seed b, and child a of seed a would be the same
+  // for all.
   explicit RandomKey(std::uint64_t seed) : bits_(Mix(Mix(seed + golden) + golden)) {}
 
-  /// The key numbered `which` beneath this one.
+  /// Returns the child key with number `which`.
   RandomKey Child(std::uint64_t which) const { return RandomKey(Raw{}, Mix(bits_ ^ Mix(which + golden))); }
 
   std::uint64_t Bits() const { return bits_; }
-  /// The key that has these.
+  /// Returns the key with the given bits.
   static RandomKey FromBits(std::uint64_t bits) { return {Raw{}, bits}; }
-  /// Uniform in [0, 1): 53 random bits.
+  /// Returns a number uniform in [0, 1): 53 random bits.
   double Number() const { return static_cast<double>(bits_ >> 11) * 0x1p-53; }
 
  private:
@@ -30,7 +31,7 @@ class RandomKey {
 
   static constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;  // 2^64 / the golden ratio
 
-  /// A bijection of 64 bits whose every output bit depends on every input bit.
+  /// Applies a bijection of 64 bits in which every output bit depends on every input bit.
   /// Source: Stafford, Better bit mixing (2011), variant 13, as used by Steele, Lea, Flood, Fast splittable
   /// pseudorandom number generators (2014).
   static constexpr std::uint64_t Mix(std::uint64_t z) {
@@ -48,7 +49,7 @@ class RandomKey {
 class Shuffle {
  public:
   Shuffle(std::uint32_t count, const RandomKey& key);
-  /// Where `index` goes; index < count.
+  /// Returns the new position of `index`; index < count.
   std::uint32_t operator()(std::uint32_t index) const;
 
  private:
@@ -57,10 +58,10 @@ class Shuffle {
   std::uint64_t salts_[2];
 };
 
-/// `count` points that share the unit square evenly, in [0, 1)^2: the square is cut into rows, as many as the root of
-/// `count`, each as high as its share of the points, each row into as many cells of equal width; every cell holds one
-/// point, placed at random. All cells have area 1 / count for any count, so averages are unbiased. The order of the
-/// cells is shuffled by the key, so that two sets with different keys are paired at random.
+/// A set of `count` points in [0, 1)^2 that are stratified over the unit square. The square is divided into rows, as
+/// many as the root of `count`, with heights proportional to their numbers of points, and each row into cells of equal
+/// width; every cell contains one random point. All cells have area 1 / count for any count, so averages are unbiased.
+/// The key shuffles the order of the cells, so that two sets with different keys are paired at random.
 ///   source   Cook, Porter, Carpenter, Distributed ray tracing (1984), jittering
 class Stratified {
  public:

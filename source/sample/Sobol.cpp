@@ -3,7 +3,7 @@
 namespace ray {
 namespace {
 
-/// One dimension's primitive polynomial over two elements and the first of its odd numbers m.
+/// The primitive polynomial over two elements of one dimension, and the first of its odd numbers m.
 struct Polynomial {
   int degree;
   std::uint32_t inner;  // the coefficients between the first and the last, which are 1

@@ -12,9 +12,9 @@ namespace ray {
   return ((bits & 0x55555555) << 1) | ((bits >> 1) & 0x55555555);
 }
 
-/// Owen's permutation of the fractions b / 2^32: every bit is flipped or kept as a random function of the bits ABOVE it
-/// says. `reversed` has the bits of b in reverse, so that a carry, which only ever runs upwards, runs from the bits
-/// above to the bits below; so has the result.
+/// Applies Owen's permutation to the fraction b / 2^32: flips every bit or not, as a random function of the bits ABOVE
+/// it. `reversed` is b with its bits reversed, so that a carry, which only runs upwards, runs from the bits above to
+/// the bits below; the result is also reversed.
 ///   source   the hash is Vegdahl's, Owen scrambling based on hashing, improved (2021); its multipliers are even where
 ///            a product is folded in and odd where one replaces, without which bits would flip themselves
 [[gnu::always_inline]] inline std::uint32_t OwenReversed(std::uint32_t reversed, std::uint32_t seed) {
@@ -27,12 +27,12 @@ namespace ray {
   return bits;
 }
 
-/// What each byte of an index contributes to a dimension.
+/// The contribution of each byte of an index to a dimension.
 using SobolTable = std::array<std::array<std::uint32_t, 256>, 4>;
 extern const std::array<SobolTable, 6> sobol_tables;  // of dimensions 2 to 7
 inline constexpr int first_sobol_table = 2;
 
-/// Pascal's triangle modulo 2, the Kronecker power of (1 0; 1 1): one step a factor.
+/// Multiplies by Pascal's triangle modulo 2, the Kronecker power of (1 0; 1 1), one step per factor.
 [[gnu::always_inline]] constexpr std::uint32_t PascalOf(std::uint32_t bits) {
   bits ^= (bits & 0xaaaaaaaa) >> 1;
   bits ^= (bits & 0xcccccccc) >> 2;
@@ -42,7 +42,8 @@ inline constexpr int first_sobol_table = 2;
   return bits;
 }
 
-/// The sequence itself, neither shuffled nor scrambled: fractions in units of 2^-32, their bits in reverse.
+/// Returns a coordinate of the plain sequence, neither shuffled nor scrambled: a fraction in units of 2^-32, with its
+/// bits reversed.
 [[gnu::always_inline]] inline std::uint32_t ReversedSobolBits(std::uint32_t index, int dimension) {
   if (dimension == 0) return index;
   if (dimension == 1) return PascalOf(index);
@@ -51,14 +52,15 @@ inline constexpr int first_sobol_table = 2;
          table[3][index >> 24];
 }
 
-/// Which point of the sequence is number `index` when `order` shuffles it.
+/// Returns the number in the sequence of point `index` after the shuffle by `order`.
 [[gnu::always_inline]] inline std::uint32_t ShuffledIndex(std::uint32_t index, std::uint32_t order) {
   return ReversedBits(OwenReversed(ReversedBits(index), order));
 }
 
-/// The first dimensions of Sobol's sequence, shuffled and scrambled: among any 2^k points that begin at a multiple of
-/// 2^k, each pair of the first two dimensions has one point in every box of area 2^-k whose sides are powers of two,
-/// and further dimensions are nearly as even together. Two sequences with different seeds are paired at random.
+/// A point of the first dimensions of Sobol's sequence, shuffled and scrambled: among any 2^k points that start at a
+/// multiple of 2^k, each pair of the first two dimensions has one point in every box of area 2^-k whose sides are
+/// powers of two, and further dimensions are nearly as well stratified together. Two sequences with different seeds are
+/// paired at random.
 ///   accuracy   coordinates are multiples of 2^-32, so the sequence repeats after 2^32 points
 ///   source     Sobol', On the distribution of points in a cube (1967), with the direction numbers of Joe and Kuo,
 ///              Constructing Sobol sequences with better two-dimensional projections (2008); scrambled after Owen,
@@ -68,15 +70,15 @@ class Sobol {
  public:
   static constexpr int dimensions = 8;
 
-  /// The point `index` of the sequence whose order `order` shuffles; one seed a coordinate scrambles that.
+  /// Makes point `index` of the sequence shuffled by `order`; scrambling takes one seed per coordinate.
   [[gnu::always_inline]] Sobol(std::uint32_t index, std::uint32_t order) : index_(ShuffledIndex(index, order)) {}
-  /// In [0, 1); dimension 0 to dimensions - 1.
+  /// Returns a coordinate in [0, 1); dimension 0 to dimensions - 1.
   [[gnu::always_inline]] double Coordinate(int dimension, std::uint32_t seed) const {
     return ReversedBits(OwenReversed(ReversedSobolBits(index_, dimension), seed)) * 0x1p-32;
   }
 
  private:
-  std::uint32_t index_;  // of the point in the sequence
+  std::uint32_t index_;  // in the unshuffled sequence
 };
 
 }  // namespace ray

@@ -7,12 +7,13 @@
 namespace ray {
 namespace {
 
-// Directions that are unit and perpendicular to within so much are so but for rounding.
+// Directions that are unit and perpendicular within this error are treated as exact.
 constexpr double rounding = 8 * 0x1p-53;
 
 bool IsUnit(const R3::Vector& v) { return std::abs(Dot(v, v) - 1) <= rounding; }
 
-// Below this angle the cross product of two unit vectors is mostly their rounding: 1e-9 rad leaves seven good digits.
+// Below this angle the cross product of two unit vectors is mostly their rounding error: 1e-9 rad leaves seven good
+// digits.
 constexpr double parallel_angle = 1e-9;
 
 }  // namespace

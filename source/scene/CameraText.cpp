@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char *view_word = "view", *mirrored_word = "mirrored", *projection_word = "projection";
 
-/// " view 0 0 0 mirrored projection fisheye 180": what is unlike a pinhole's picture around its axis.
+/// Returns " view 0 0 0 mirrored projection fisheye 180": the settings that differ from a centered pinhole.
 std::string ViewWords(const Camera& camera) {
   std::string words;
   if (camera.aspect != 0 || camera.shift.x != 0 || camera.shift.y != 0 || camera.IsMirrored())
@@ -24,7 +24,7 @@ std::string ViewWords(const Camera& camera) {
   return camera.extent > 0 ? words + " " + ToText(camera.extent) : words;
 }
 
-/// Takes "projection fisheye 180", if the line ends so, away from it and sets it. False for what is none.
+/// Removes "projection fisheye 180" from the end of the line, if present, and sets it. Returns false if it is invalid.
 bool TakeProjection(std::string& line, Camera& camera) {
   const std::size_t at = line.find(projection_word);
   if (at == std::string::npos) return true;

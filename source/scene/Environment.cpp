@@ -13,8 +13,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Solid angle of one texel in the row: width in longitude times height in the sine of latitude, without the difference
-/// of sines.
+/// Returns the solid angle of one texel in the row: width in longitude times height in the sine of latitude, computed
+/// without a difference of sines.
 double SolidAngle(int row, int rows) {
   const double longitudes = pi / rows, middle = 0.5 * (row + 0.5) / rows;
   return longitudes * 2 * R1::SinCosTurns(middle).sine * R1::SinCosTurns(0.25 / rows).sine;
@@ -60,7 +60,7 @@ std::vector<double> OfRows(int count, const Number& number) {
   return numbers;
 }
 
-/// atan2(y, x) in turns, within quick_error; y and x not both 0.
+/// Returns atan2(y, x) in turns, within quick_error; y and x not both 0.
 ///   source   Hastings, Approximations for digital computers (1955), sheet 13: the arctangent up to 1 within 2e-8
 ///   radians
 inline double QuickTurns(double y, double x) {
@@ -77,13 +77,13 @@ inline double QuickTurns(double y, double x) {
   const double half = x < 0 ? 0.5 - quadrant : quadrant;
   return std::copysign(half, y);
 }
-constexpr double quick_error = 4e-9;  // 2e-8 / (2 pi), and a fifth more for rounding
+constexpr double quick_error = 4e-9;  // 2e-8 / (2 pi), plus a fifth for rounding
 
-/// By value: with std::min's references g++ makes no vector instructions of the loop below.
+/// Takes values: with std::min's references g++ does not vectorize the loop below.
 inline double Least(double a, double b) { return a < b ? a : b; }
 
-/// How far a place among `count` texels, found by QuickTurns, is from where it could be in a neighbor; a row of them
-/// spans half a turn.
+/// Returns how far a position among `count` texels, found by QuickTurns, is from where its error could put it into a
+/// neighbor; a row of them spans half a turn.
 inline double Margin(double place, int count) {
   const double error = 2 * quick_error * count, share = place - std::floor(place);
   return Least(Least(share - error, (1 - error) - share), Least(place, count - place));
@@ -96,26 +96,27 @@ inline QuickPlace PlaceQuickly(const R3::Vector& d, int width, int height) {
   return {column, row, R3::SafeScale(Dot(d, d)) == 1 ? margin : 0};
 }
 
-/// Nearer to a texel's edge than this share of it, rounding may give a direction to the neighbor. The narrowest texels
-/// are those at the poles: of 2^20 rows the last spans 2^-37.7 in the sine of latitude, which is off by 2^-51 at most.
+/// The share of a texel next to its edge within which rounding may assign a direction to the neighbor. The narrowest
+/// texels are those at the poles: of 2^20 rows the last spans 2^-37.7 in the sine of latitude, which is off by 2^-51 at
+/// most.
 constexpr double edge_share = 0x1p-10;
 bool IsNearEdge(double share) { return share < edge_share || share > 1 - edge_share; }
 
-/// The direction at shares of a column's width and, between two sines, of the height in the sine of latitude.
+/// Returns the direction at shares of a column's width and, between two sines, of the height in the sine of latitude.
 inline R3::Vector TowardsPlace(double low, double high, int column, const R2::Point& shares, int rows) {
   return Towards(low + shares.y * (high - low), LongitudeOf(column, shares.x, rows));
 }
 
 // Draw and SeenTowards for many samples, in loops that become vector instructions.
 
-struct PlacesOfEach {
+struct PlaceBatch {
   alignas(64) LightSamples::Each low, high;
   R1::Columns<R2::Point> shares;
   alignas(64) std::int32_t column[LightSamples::most];
 };
 
 R3_VECTORIZED
-void GoToEach(const PlacesOfEach& at, int rows, LightSamples& samples) {
+void GoToEach(const PlaceBatch& at, int rows, LightSamples& samples) {
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     samples.to_light.Set(i, TowardsPlace(at.low[i], at.high[i], at.column[i], at.shares[i], rows));
   }
@@ -150,7 +151,7 @@ Environment::Texel Environment::At(const R3::Vector& direction) const {
 Environment::Texel Environment::TexelOf(const QuickPlace& place, const R3::Vector& direction) const {
   if (place.margin > 0) [[likely]]
     return {static_cast<int>(place.column), static_cast<int>(place.row)};
-  const R3::Vector d = Unit(direction);  // so that no component overflows; 0 for 0 and NaN, which is then some texel
+  const R3::Vector d = Unit(direction);  // prevents overflow; 0 for 0 and NaN, which select an arbitrary texel
   const double u = R1::Atan2(d.x, -d.z) / (2 * pi) + 0.5,
                v = R1::Atan2(d.y, std::sqrt(d.x * d.x + d.z * d.z)) / pi + 0.5;
   return {Nearest(u, map_.Width()), Nearest(v, map_.Height())};
@@ -199,8 +200,8 @@ Environment::Seen Environment::SeenTowards(const R3::Vector& direction) const {
 void Environment::DrawEach(LightSamples& samples, LightSamples::Each& pdfs) const {
   std::array<DiscreteDistribution::Drawn, LightSamples::most> rows;
   std::array<Drawn, LightSamples::most> drawn;
-  PlacesOfEach places;
-  // The tables of large maps are in no cache; those of all samples come at once.
+  PlaceBatch places;
+  // The tables of large maps are not cached, so the entries of all samples are prefetched together.
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     rows[i] = rows_.Draw(samples.random[i].y);
     __builtin_prefetch(&columns_[rows[i].index]);

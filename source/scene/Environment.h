@@ -13,50 +13,52 @@
 
 namespace ray {
 
-/// Where on a map a direction is seen, in texels from the lower left, by approximate arctangents.
+/// The position of a direction on a map, in texels from the lower left, by approximate arctangents.
 struct QuickPlace {
   double column, row;
-  double margin;  // above 0 where the direction surely is in the texel that this says
+  double margin;  // above 0 if the direction is certainly in this texel
 };
 
-/// Light from all around at infinity, from a picture.
+/// An environment light: light from all around at infinity, given by an image.
 ///
-/// Radiance is constant on each texel of a latitude-longitude map: it is not blended between texels, so that drawing
-/// directions by texel is exact. An angular probe and a cross are turned into such a map once; that has as many rows as
-/// the probe, or twice as many as a face of the cross (at least 128, at most 8192), and each of its texels is the mean
-/// over four places. A single bright pixel counts for the places that fall on it: on every pixel of a cross, and of a
-/// probe on every one up to 0.8 of its radius (tested); beyond, where pixels are narrow, some are passed over.
+/// Radiance is constant on each texel of a latitude-longitude map: it is not interpolated between texels, so that
+/// sampling directions by texel is exact. An angular probe and a cross are converted to such a map once; that has as
+/// many rows as the probe, or twice as many as a face of the cross (at least 128, at most 8192), and each of its texels
+/// is the mean over four points. A single bright pixel counts for the points that fall on it: every pixel of a cross
+/// has some, and of a probe every one up to 0.8 of its radius (tested); beyond, where pixels are narrow, some are
+/// skipped.
 class Environment {
  public:
-  /// The layout is known by the shape: see EnvironmentLayout. Throws std::invalid_argument, with a message for the
-  /// user, for an image of another shape, and for one that anywhere holds a value that is negative or not finite.
-  ///   file   that the image was read from; empty for none
+  /// Makes an environment. The layout is determined by the shape: see EnvironmentLayout. Throws std::invalid_argument,
+  /// with a message for the user, for an image of another shape, and for one with a value that is negative or not
+  /// finite.
+  ///   file   the file that the image was read from; empty for none
   explicit Environment(R2::Image image, std::string file = {});
 
   EnvironmentLayout Layout() const { return layout_; }
   const std::string& File() const { return file_; }
 
-  /// What arrives from there. `direction` has any length but 0; at a pole or a seam it is one of the texels that meet
-  /// there.
+  /// Returns the radiance that arrives from a direction of any length but 0; at a pole or a seam it is one of the
+  /// adjacent texels.
   R2::Color Radiance(const R3::Vector& direction) const;
 
   struct Seen {
     R2::Color radiance;
-    double pdf;  // of Draw giving the direction, per solid angle
+    double pdf;  // of Draw returning the direction, per solid angle
   };
-  /// Radiance, and how likely Draw is to give that direction: together, since finding a texel takes two arctangents.
+  /// Returns the radiance and the pdf of Draw for a direction: together, since finding a texel takes two arctangents.
   Seen SeenTowards(const R3::Vector& direction) const;
 
   struct Sample {
     R3::Vector direction;  // unit, towards the light
-    R2::Color radiance;    // these two exactly as SeenTowards(direction) has them
+    R2::Color radiance;    // both bit-identical to SeenTowards(direction)
     double pdf;            // > 0
   };
 
-  /// Importance sampling: a direction with pdf proportional to the luminance that arrives from it: pdf = luminance /
-  /// integral of luminance over the sphere, within 2^-53 of a map's width and height times the largest pdf. Then
-  /// luminance / pdf is the same for all directions, and no channel over pdf exceeds that by more than 1 / 0.11, the
-  /// inverse of the least weight in luminance. From a black environment all directions are alike.
+  /// Samples a direction with a pdf proportional to the luminance that arrives from it: pdf = luminance / integral of
+  /// luminance over the sphere, within 2^-53 of a map's width and height times the largest pdf. Then luminance / pdf is
+  /// the same for all directions, and no channel over pdf exceeds that by more than 1 / 0.11, the inverse of the
+  /// smallest weight in luminance. A black environment gives all directions the same pdf.
   ///   u        in [0, 1]^2
   ///   source   Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section 12.5.2: first a row by the
   ///            luminance of its texels times their solid angle, then a texel of the row, then, unlike there, a point
@@ -65,16 +67,16 @@ class Environment {
   ///            angle A, the pdf is (L A / sum of L A) / A, with no sine left in it.
   Sample Draw(const R2::Point& u) const;
 
-  /// Draw for many samples, bit for bit: from each sample's u and v the way to the light, radiance / pdf as its
-  /// irradiance, and the pdf.
+  /// Draw for many samples, bit-identical: from each sample's u and v computes the direction to the light, radiance /
+  /// pdf as its irradiance, and the pdf.
   void DrawEach(LightSamples& samples, LightSamples::Each& pdfs) const;
-  /// SeenTowards of each sample's way to the light, bit for bit: the radiance as its irradiance, and the pdf.
+  /// SeenTowards for each sample's direction to the light, bit-identical: the radiance as its irradiance, and the pdf.
   void SeeEach(LightSamples& samples, LightSamples::Each& pdfs) const;
 
   bool IsBlack() const { return is_black_; }
-  /// The largest luminance of a texel.
+  /// Returns the largest luminance of a texel.
   double Brightest() const { return brightest_; }
-  /// The latitude-longitude map that it was turned into: width twice the height.
+  /// Returns the latitude-longitude map to which it was converted: width twice the height.
   const R2::Image& Map() const { return map_; }
 
  private:
@@ -83,7 +85,7 @@ class Environment {
     friend bool operator==(const Texel&, const Texel&) = default;
   };
 
-  /// A texel, shares of its longitude and of its sine of latitude, and its Pdf.
+  /// A texel, relative positions in its longitude and its sine of latitude, and its Pdf.
   struct Drawn {
     Texel texel;
     R2::Point shares;
@@ -91,25 +93,25 @@ class Environment {
   };
 
   Texel At(const R3::Vector& direction) const;
-  /// The place's, or where that is not sure the one that exact arctangents of the direction say.
+  /// Returns the texel of the place, or if that is uncertain, the one given by exact arctangents of the direction.
   Texel TexelOf(const QuickPlace& place, const R3::Vector& direction) const;
   Drawn DrawInRow(const DiscreteDistribution::Drawn& row, double u) const;
   double Pdf(const Texel& texel) const;
   R2::Color RadianceOf(const Texel& texel) const { return map_.At(texel.column, texel.row); }
-  /// The direction at shares of the texel's longitude and of its sine of latitude.
+  /// Returns the direction at shares of the texel's longitude and of its sine of latitude.
   R3::Vector Inside(const Texel& texel, const R2::Point& shares) const;
-  /// Such a direction as drawing gives it: from where light of this texel comes, though a place at the very edge may
-  /// round to the neighbor, which may be black; the middle then stands for it.
+  /// Returns a drawn direction that certainly receives light from this texel. A point at the very edge may round to the
+  /// neighbor, which may be black; the texel's center then replaces it.
   R3::Vector Kept(const R3::Vector& direction, const Texel& texel, const R2::Point& shares) const;
 
   std::string file_;
   EnvironmentLayout layout_;
-  R2::Image map_;  // latitude-longitude
+  R2::Image map_;  // a latitude-longitude map
   bool is_black_;
   double brightest_;
-  std::vector<double> sines_;                  // of the latitudes of the rows' lower edges, and of the last one's upper
+  std::vector<double> sines_;                  // of the latitudes of the rows' lower edges and the topmost upper edge
   std::vector<double> solid_angles_;           // of a texel in each row
-  std::vector<DiscreteDistribution> columns_;  // one for each row, by luminance
+  std::vector<DiscreteDistribution> columns_;  // one per row, by luminance
   DiscreteDistribution rows_;                  // by luminance times solid angle
 };
 

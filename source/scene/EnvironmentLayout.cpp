@@ -27,15 +27,16 @@ void CheckValues(const R2::Image& image) {
     }
 }
 
-/// `d` is unit.
+/// Looks up a unit direction in a probe.
 R2::Color InProbe(const R2::Image& image, const R3::Vector& d) {
   const double sine = std::sqrt(d.x * d.x + d.y * d.y), radius = R1::Atan2(sine, -d.z) / std::numbers::pi;
-  // Straight back every direction of the rim will do.
+  // Straight back, every direction of the rim is correct.
   const double x = sine > 0 ? d.x / sine * radius : radius, y = sine > 0 ? d.y / sine * radius : 0;
   return image.At(Nearest((x + 1) / 2, image.Width()), Nearest((y + 1) / 2, image.Height()));
 }
 
-/// Where a face of the cube is in the image, counted in faces from the lower left, and what its right and up are.
+/// The position of a face of the cube in the image, counted in faces from the lower left, and its right and up
+/// directions.
 struct Face {
   int column, row;
   R3::Vector right, up;
@@ -63,17 +64,17 @@ R2::Color InCross(const R2::Image& image, const R3::Vector& d) {
                   face.row * size + Nearest((Dot(d, face.up) / distance + 1) / 2, size));
 }
 
-/// The sine of latitude at a share of a row's height in it.
+/// Returns the sine of latitude at a share of a row's height.
 double SineOf(int row, double share, int rows) {
   const double low = SineOfEdge(row, rows), high = SineOfEdge(row + 1, rows);
   return low + share * (high - low);
 }
 
-/// Each texel is the mean over the middles of its four quarters of equal solid angle.
+/// Computes each texel as the mean over the centers of its four quarters of equal solid angle.
 template <typename Lookup>
 R2::Image Resampled(int rows, const Lookup& lookup) {
   constexpr double quarters[] = {0.25, 0.75};
-  std::vector<R1::SineCosine> longitudes;  // two a column
+  std::vector<R1::SineCosine> longitudes;  // two per column
   for (int x = 0; x < 2 * rows; ++x)
     for (const double share : quarters) longitudes.push_back(LongitudeOf(x, share, rows));
   R2::Image map(2 * rows, rows);
@@ -108,7 +109,7 @@ EnvironmentLayout LayoutOf(const R2::Image& image) {
   const std::int64_t width = image.Width(), height = image.Height();
   if (width > 0 && width == 2 * height) return EnvironmentLayout::latitude_longitude;
   if (width > 0 && width == height) return EnvironmentLayout::angular_probe;
-  // Whole faces follow: 4 w = 3 h has whole solutions only in threes and fours.
+  // Whole faces follow: 4 w = 3 h has integer solutions only in multiples of three and four.
   if (width > 0 && (4 * width == 3 * height || 3 * width == 4 * height)) return EnvironmentLayout::cross;
   throw std::invalid_argument(
       "an environment map must be 2:1 (latitude-longitude), 1:1 (angular probe), or 3:4 or 4:3 (cross of six cube "

@@ -15,23 +15,23 @@
 
 namespace ray {
 
-/// Where a shadow ray goes.
+/// The direction of a shadow ray.
 struct ShadowTarget {
   R3::Vector to_light;
   bool is_infinite = false;
   std::int64_t reaching = -1;
 };
 
-/// What reaches a point from one point on a light, if nothing is in between.
+/// The light that reaches a point from one point on a light, if nothing is in between.
 struct LightSample {
-  /// On a surface that faces the light: its own cosine is still to come. Where there is a pdf, an estimate from this
-  /// one sample, which is radiance over pdf. Else what the scene language says arrives, pi times smaller than the
-  /// irradiance in the theory of a diffuse surface.
+  /// The irradiance on a surface perpendicular to the light; the caller applies the cosine. If there is a pdf, it is an
+  /// estimate from this one sample: radiance over pdf. Otherwise it is in the units of the scene language, pi times
+  /// smaller than the irradiance in the theory of a diffuse surface.
   R2::Color irradiance{};
   R3::Vector to_light;         // from the point; reaches the light at t = 1 unless the light is infinitely far
-  bool is_infinite = false;    // the light has a direction but no place
-  double pdf = 0;              // per solid angle, that of choosing the light included; 0 for lights that no ray can hit
-  int light = 0;               // its number, where one of several was chosen
+  bool is_infinite = false;    // the light has a direction but no position
+  double pdf = 0;              // per solid angle, including that of choosing the light; 0: no ray can hit the light
+  int light = 0;               // its number, if one of several was chosen
   std::int64_t reaching = -1;  // R3::Ray::reaching of a ray to the light
 
   ShadowTarget Target() const { return {to_light, is_infinite, reaching}; }
@@ -42,22 +42,23 @@ class Light {
  public:
   virtual ~Light() = default;
 
-  /// Light arriving at `p` from the place on the light that `random`, in [0, 1)^2, picks uniformly by area (point-like
-  /// lights ignore it). Nothing where the light does not shine, and where p lies on the very place picked.
+  /// Returns the light arriving at `p` from the point on the light that `random`, in [0, 1)^2, selects uniformly by
+  /// area (point-like lights ignore it). std::nullopt if the light does not shine there, or if p is exactly the
+  /// selected point.
   virtual std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const = 0;
-  /// Illuminate for many points at once, with bit-identical results: fills in what each sample's point gets from the
-  /// place that its u and v pick.
+  /// Illuminate for many points at once, with bit-identical results: computes the light at each sample's point from the
+  /// point on the light that its u and v select.
   virtual void IlluminateEach(LightSamples& samples) const;
-  /// Returns false only if Illuminate gives `p` nothing, or black, whatever place is picked.
+  /// Returns false only if Illuminate returns std::nullopt or black for `p`, whatever `random` is.
   virtual bool MayShineOn(const R3::Point& /*p*/) const { return true; }
 
-  /// Whether it has an area, so that several samples are worth their rays.
+  /// Returns true if the light has an area, so that several samples are worthwhile.
   virtual bool IsExtended() const { return false; }
-  /// What a choice among many lights goes by.
+  /// Returns the estimated contribution that light selection uses.
   virtual LightBound Bound() const = 0;
-  /// Whether it gives no light at all; such a light still counts as a light of the scene.
+  /// Returns true if it emits nothing; such a light still counts as a light of the scene.
   virtual bool IsBlack() const = 0;
-  /// "point light at 0 3 0, color 1 1 1"
+  /// Returns a description: "point light at 0 3 0, color 1 1 1".
   virtual std::string Describe() const = 0;
   virtual R3::Recipe MadeFrom() const = 0;
 };
@@ -67,17 +68,18 @@ struct LightKind {
   const char* name;  // the word in a scene file
   const char* about;
   std::vector<R3::Argument> arguments;  // in file order
-  /// `arguments` are as many as above, finite, their signs checked; may throw R3::ArgumentError.
+  /// Makes a light. The number of `arguments` is as above; they are finite with the required signs. May throw
+  /// R3::ArgumentError.
   std::unique_ptr<const Light> (*make)(std::span<const double> arguments);
   std::vector<double> example;
 };
 
-/// Every kind, in the order of lights.def.
+/// Returns all kinds, in the order of lights.def.
 std::span<const LightKind* const> LightKinds();
-/// Null when no kind has the name.
+/// Returns the kind with the given name, or null.
 const LightKind* FindLightKind(const std::string& name);
 
-/// The two directional lights of a scene that names none.
+/// Returns the two directional lights of a scene that names none.
 std::vector<std::unique_ptr<const Light>> DefaultLights();
 
 }  // namespace ray

@@ -4,16 +4,16 @@
 
 namespace ray {
 
-/// What is known of a light before a place on it is chosen.
+/// The properties of a light that are known before a point on it is chosen.
 struct LightBound {
-  R3::Point center{};  // of a sphere that holds the light; finite
+  R3::Point center{};  // of a sphere that contains the light; finite
   double radius = 0;
-  double power = 0;               // luminance before fall-off, >= 0 or infinite; the light is never chosen at 0
-  double ca = 0, la = 0, qa = 1;  // it falls off by 1 / (ca + la d + qa d^2), each finite and >= 0; not at all where 0
-  bool is_infinite = false;       // then `power` is what arrives everywhere, and place and fall-off do not count
+  double power = 0;               // luminance before attenuation, >= 0 or infinite; at 0 the light is never chosen
+  double ca = 0, la = 0, qa = 1;  // attenuation 1 / (ca + la d + qa d^2), each finite and >= 0; none if all are 0
+  bool is_infinite = false;       // `power` then arrives everywhere; position and attenuation are ignored
 };
 
-/// Bound of a light in the box whose power does not fall off with distance.
+/// Returns the bound of a light in the box without attenuation.
 inline LightBound BoundWithoutFalloff(const R3::Box& box, double power) {
   constexpr double rounding_of_box = 1 + 0x1p-40;
   return {.center = box.Center(), .radius = rounding_of_box * box.Radius(), .power = power, .ca = 1, .la = 0, .qa = 0};

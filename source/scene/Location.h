@@ -4,11 +4,11 @@
 
 namespace ray {
 
-/// A place in the text a scene was read from.
+/// A position in the text from which a scene was read.
 struct Location {
   std::uint32_t file = 0;    // index into Scene::files
-  std::uint32_t line = 0;    // from 1; 0 means "no place": made by the program itself
-  std::uint32_t column = 0;  // from 1, in characters
+  std::uint32_t line = 0;    // 1-based; 0 means no position: made by the program itself
+  std::uint32_t column = 0;  // 1-based, in characters
 };
 
 }  // namespace ray

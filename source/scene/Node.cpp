@@ -7,8 +7,8 @@
 
 namespace ray {
 
-// Children are taken out of the tree level by level, so that no destructor ever runs inside another one of depth
-// beyond one: a tree 100,000 levels deep must not need 100,000 stack frames.
+// Children are removed from the tree level by level, so that destructors are never nested more than one level deep: a
+// tree 100,000 levels deep must not need 100,000 stack frames.
 Node::~Node() {
   std::vector<Node> waiting = std::move(children);
   while (!waiting.empty()) {
@@ -20,7 +20,7 @@ Node::~Node() {
 
 Node& Node::operator=(Node&& other) noexcept {
   if (this == &other) return *this;
-  Node dying;  // takes what this node held, and lets it go without recursion
+  Node dying;  // takes the contents of this node and releases them without recursion
   dying.children = std::move(children);
   motion = other.motion;
   transform = other.transform;

@@ -13,29 +13,29 @@
 
 namespace ray {
 
-/// A setting that a scene file asks for: the name of the option that overrides it, without the dash, and what would be
-/// typed behind that. Words only, so that a scene needs to know nothing of what it sets.
+/// A setting in a scene file: the name of the option that overrides it, without the dash, and its value as on the
+/// command line. Stored as text, so that a scene does not depend on what it sets.
 struct SceneSetting {
   std::string option, value;  // "max_depth", "2"
-  std::string origin;         // who says so: "room.yaml:12", or a course whose rule it is
+  std::string origin;         // the source of the setting: "room.yaml:12", or a course whose rule it is
 };
 
-/// What was asked for. Never changes after parsing.
+/// The scene as described by its file. Never changes after parsing.
 struct Scene {
   Node root;                                    // identity transform; its bounds are the scene's, in world coordinates
   std::vector<Material> materials{Material{}};  // 0 is the default, for nodes with none to inherit
   std::vector<std::unique_ptr<const Light>> lights;
   Camera camera;
   R2::Color background, ambient;
-  std::shared_ptr<const Environment> environment;  // seen instead of the background, and a light; null for none
-  bool has_default_camera = false, has_default_lights = false;  // none were named
+  std::shared_ptr<const Environment> environment;  // replaces the background, and is a light; null for none
+  bool has_default_camera = false, has_default_lights = false;  // the file names none
   bool is_mirrored = false;  // the file's world is left-handed: z here is the negative of the file's
-  double shadow_bias = 0;  // the least distance of what a shadow ray or a reflection can hit
+  double shadow_bias = 0;  // the minimum distance of a hit of a shadow ray or a reflection
   std::vector<SceneSetting> settings;
-  std::vector<std::string> files;  // what it was read from: scene files, the top one first, then meshes and textures
+  std::vector<std::string> files;  // the files read: scene files, the top one first, then meshes and textures
 };
 
-/// The scene's lights that are not black.
+/// Returns the scene's lights that are not black.
 inline std::vector<const Light*> LightsOf(const Scene& scene) {
   std::vector<const Light*> lights;
   for (const auto& light : scene.lights)

@@ -4,12 +4,12 @@
 
 namespace ray {
 
-/// A group whose matrix squeezes space beyond this cannot be intersected: a double has no digits left for its inverse.
+/// A group whose matrix has a larger condition cannot be intersected: a double has no digits left for its inverse.
 inline constexpr double singular_condition = 3e14;  // about 10^14.5
-/// Beyond this a warning says that digits are getting short.
+/// Above this condition, a warning says that digits are running short.
 inline constexpr double nearly_singular_condition = 3e10;  // about 10^10.5
 
-/// Whether the subtree under such a matrix is left out of the picture.
+/// Returns true if the subtree under such a matrix is skipped.
 inline bool IsSingular(const R3::Matrix& matrix) { return !(Condition(matrix) < singular_condition); }
 
 }  // namespace ray

@@ -7,14 +7,14 @@
 namespace ray {
 namespace {
 
-// Two neighboring texels along one axis and how far to go from the first to the second.
+// Two neighboring texels along one axis, and the relative position between them.
 struct Neighbors {
   int first, second;
   double share;
 };
 
-/// How far a place is from the middle of one texel to that of the next. What rounding may have made of a coordinate,
-/// 8 u, counts for nothing: at the middle of a texel that one is seen alone, and beside a white one black is black.
+/// Returns the relative position between the centers of two neighboring texels. The rounding of a coordinate, 8 u, is
+/// removed: at the center of a texel only that texel counts, so a black texel next to a white one is exactly black.
 double Share(double position, double floor, int texels) {
   const double share = position - floor, noise = 0x1p-50 * texels;
   return share < noise ? 0 : share > 1 - noise ? 1 : share;
@@ -34,7 +34,7 @@ R2::Color InRow(const R2::Image& image, const Neighbors& x, int row) {
   return Between(image.At(x.first, row), image.At(x.second, row), x.share);
 }
 
-/// The color at u in a row that may be beyond an end of v, which is no place where it is repeated.
+/// Returns the color at u in a row that may be beyond an end of v, unless v is repeated there.
 R2::Color InRowOrBeyond(const R2::Image& image, double u, int row, const R3::VEnds& ends) {
   const int rows = image.Height(), inside = std::clamp(row, 0, rows - 1);
   const bool is_beyond_pole = row != inside && (row < 0 ? ends.low : ends.high) == R3::VEnd::pole;

@@ -10,14 +10,14 @@
 
 namespace ray {
 
-/// Where a lookup goes.
+/// The coordinates of a texture lookup.
 struct TexturePlace {
   R2::Point uv;
   R3::VEnds v_ends;
 };
 
-/// The place of a surface on an image that lies `scale` times over its 0..1 x 0..1. An image that repeats along v ends
-/// nowhere; one that repeats along u alone does not meet its own other side at a pole.
+/// Returns the position of a surface point on an image that is repeated `scale` times over 0..1 x 0..1. An image that
+/// is repeated along v has no ends; one that is repeated along u alone does not meet its own other side at a pole.
 inline TexturePlace PlaceOnTexture(const R3::SurfacePoint& surface, const R2::Vector& scale) {
   if (scale.x == 1 && scale.y == 1) return {surface.uv, surface.v_ends};
   const auto scaled = [&](R3::VEnd end) {
@@ -26,14 +26,15 @@ inline TexturePlace PlaceOnTexture(const R3::SurfacePoint& surface, const R2::Ve
   return {{scale.x * surface.uv.x, scale.y * surface.uv.y}, {scaled(surface.v_ends.low), scaled(surface.v_ends.high)}};
 }
 
-/// An image spread over 0..1 x 0..1 and, unless the surface says otherwise, repeated beyond; u to the right, v up.
+/// An image over 0..1 x 0..1 that is repeated beyond, unless the surface says otherwise; u to the right, v up.
 struct Texture {
   R2::Image image;
-  std::string file{};  // it was read from; empty for none
+  std::string file{};  // the file it was read from; empty for none
 
-  /// Bilinear between texel centers: texel k of n has its center at (k + 0.5) / n. Finite for any finite uv.
+  /// Returns the bilinear interpolation between texel centers: texel k of n has its center at (k + 0.5) / n. Finite for
+  /// any finite uv.
   R2::Color At(const R2::Point& uv, const R3::VEnds& ends = {}) const;
-  /// At a place of a surface over whose 0..1 x 0..1 the image lies `scale` times.
+  /// Returns the color at a surface point; the image is repeated `scale` times over the surface's 0..1 x 0..1.
   R2::Color On(const R3::SurfacePoint& surface, const R2::Vector& scale) const {
     const TexturePlace place = PlaceOnTexture(surface, scale);
     return At(place.uv, place.v_ends);

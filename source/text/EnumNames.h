@@ -6,14 +6,14 @@
 
 namespace ray {
 
-/// The word for an enumerator on the command line, in messages and in reports. Its type has the table of them beside
-/// it: `NamesOf(value)`, in the order of the enumerators.
+/// Returns the name of an enumerator on the command line, in messages and in reports. NamesOf(value), declared with the
+/// enum type, is the table of names in the order of the enumerators.
 template <class Enum>
 constexpr const char* NameOf(Enum value) {
   return NamesOf(value)[static_cast<std::size_t>(value)];
 }
 
-/// The enumerator of that name, or nothing.
+/// Returns the enumerator with the given name, or std::nullopt.
 template <class Enum>
 constexpr std::optional<Enum> Named(std::string_view name) {
   const auto& names = NamesOf(Enum{});

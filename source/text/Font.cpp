@@ -7,8 +7,8 @@ namespace ray {
 
 namespace {
 
-// Drawn in 7 columns and 13 rows: one above capitals, nine of capitals (six of small letters) down to the baseline,
-// three below it. Right of a glyph a column stays free, above it two rows, below one.
+// The glyphs have 7 columns and 13 rows: one above capitals, nine for capitals (six for small letters) down to the
+// baseline, three below it. One column to the right of a glyph, two rows above and one below stay free.
 constexpr int drawn_width = 7, drawn_height = 13, glyphs_in_a_band = 8, free_rows_below = 1;
 
 // clang-format off
@@ -187,7 +187,7 @@ constexpr std::array glyph_rows{
 static_assert(glyph_rows.size() == std::size_t{glyph_count / glyphs_in_a_band * drawn_height});
 static_assert(glyph_count % glyphs_in_a_band == 0);
 
-/// x from the left, y from the top of what is drawn of the glyph.
+/// Returns true if a pixel of the drawn glyph is set; x from the left, y from the top.
 bool HasInk(int glyph, int x, int y) {
   const int row = glyph / glyphs_in_a_band * drawn_height + y;
   const int column = glyph % glyphs_in_a_band * (drawn_width + 1) + x;

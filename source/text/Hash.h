@@ -12,7 +12,8 @@ class Hash {
   void Add(std::span<const unsigned char> bytes) {
     for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * prime;
   }
-  /// One step for a whole word, whose upper half is folded in, instead of one per byte: an eighth of the time.
+  /// Hashes a whole word in one step, with its upper half folded in, instead of one step per byte: an eighth of the
+  /// time.
   void AddWord(std::uint64_t word) { hash_ = (hash_ ^ word ^ word >> 32) * prime; }
   std::uint64_t Value() const { return hash_; }
 

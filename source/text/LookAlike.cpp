@@ -8,7 +8,8 @@
 namespace ray {
 namespace {
 
-/// Characters from first to last that stand for ASCII characters: all for `ascii`, or in order from its first one on.
+/// The characters from first to last, which resemble ASCII characters: all of them `ascii`, or consecutive ones from it
+/// on.
 struct LookAlike {
   char32_t first, last;
   const char* name;
@@ -16,7 +17,7 @@ struct LookAlike {
   bool is_in_order = false;
 };
 
-// Names of The Unicode Standard, in lower case; of several, what they have in common.
+// Names of The Unicode Standard, in lower case; for ranges, the common part of the names.
 constexpr std::array look_alikes{
     LookAlike{0x00A0, 0x00A0, "a no-break space", " "},
     LookAlike{0x00AB, 0x00AB, "a quotation mark", "\""},

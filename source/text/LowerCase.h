@@ -6,14 +6,14 @@
 
 namespace ray {
 
-/// Lowers ASCII letters only: what a name means does not depend on the locale.
+/// Converts ASCII letters only: the meaning of a name does not depend on the locale.
 inline char LowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 inline std::string LowerCase(std::string text) {
   for (char& c : text) c = LowerCase(c);
   return text;
 }
 
-/// Whether a word is, or begins with, this one in lower case, its own letter case apart.
+/// Returns true if a word is, or begins with, `lower`, ignoring letter case.
 inline bool IsInAnyCase(std::string_view word, std::string_view lower) {
   return std::ranges::equal(word, lower, [](char a, char b) { return LowerCase(a) == b; });
 }

@@ -11,7 +11,7 @@ namespace {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// from_chars knows no plus sign; behind one there must be no other.
+/// Removes a plus sign, which from_chars does not accept; no second sign may follow.
 std::string_view WithoutPlus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+') word.remove_prefix(1);
   return word;
@@ -22,9 +22,9 @@ std::string_view WithoutSign(std::string_view word) {
   return word;
 }
 
-/// What printf of Microsoft's libraries up to 2013 puts behind "1.#" for NaN and infinity: a name, filled up with zeros
-/// and an exponent. Asked for fewer digits than the name has letters, it rounds the last letter up: "1.#INF" to two
-/// digits is "1.#J". The whole word must be that, since behind a number a # may also begin a comment.
+/// Returns true if `name` is what printf of Microsoft's libraries up to 2013 prints after "1.#" for NaN and infinity: a
+/// name, padded with zeros and an exponent. With fewer digits than letters, it rounds the last letter up: "1.#INF" to
+/// two digits is "1.#J". The whole word must match, since a # after a number may also start a comment.
 bool IsWindowsName(std::string_view name) {
   constexpr std::string_view whole[] = {"inf", "ind", "qnan", "snan", "nan"};
   constexpr std::string_view rounded[] = {"J", "IO", "R", "QO", "QNB", "T", "SO", "SNB"};
@@ -53,15 +53,15 @@ const char* WhyNoNumber(std::string_view word) {
   return "must be a number";
 }
 
-/// Whether a well-formed decimal number, known to be outside the range of double, is so because it is tiny:
-/// whether it is below 1. Zeros and digits may be thousands, so the exponent alone does not tell.
+/// Returns true if a well-formed decimal number outside the range of double is tiny, that is, below 1. It may have
+/// thousands of zeros and digits, so the exponent alone does not decide.
 bool IsBelowOne(std::string_view number) {
   if (number[0] == '-') number.remove_prefix(1);
   const std::size_t e = std::min(number.find_first_of("eE"), number.size());
   const std::string_view mantissa = number.substr(0, e);
   const auto point = static_cast<std::int64_t>(std::min(mantissa.find('.'), mantissa.size()));
   const auto first = static_cast<std::int64_t>(std::min(mantissa.find_first_not_of("0."), mantissa.size()));
-  // Digits before the point counted from the first that is not zero; negative: zeros behind the point.
+  // Digits before the point, counted from the first nonzero one; negative: zeros after the point.
   const std::int64_t magnitude = first < point ? point - first : point - first + 1;
   std::int64_t exponent = 0;
   if (e < number.size()) {

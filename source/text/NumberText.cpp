@@ -8,7 +8,7 @@
 namespace ray {
 namespace {
 
-constexpr std::size_t longest = 400;  // a double in full has 309 digits before its point
+constexpr std::size_t longest = 400;  // a double in full has up to 309 digits before its point
 
 }  // namespace
 

@@ -4,13 +4,13 @@
 #include <charconv>
 #include <string>
 
-/// Numbers as people and scene files read them, whatever the locale.
+/// Numbers formatted for people and scene files, independent of the locale.
 namespace ray {
 
-/// With so many digits behind the point.
+/// Formats the number with `digits_behind_point` digits after the point.
 std::string Fixed(double number, int digits_behind_point);
 
-/// The shortest text that reads back as the same number.
+/// Returns the shortest text that reads back as the same number.
 template <class T>
 std::string ToText(T number) {
   std::array<char, 64> text{};
@@ -18,13 +18,14 @@ std::string ToText(T number) {
   return std::string(text.data(), end);
 }
 
-/// With at most `digits` digits that count.
+/// Formats the number with at most `digits` significant digits.
 std::string Rounded(double number, int digits);
 
-/// A count or a mean of counts, below 2^63, that reads back as the same number: "1000000", "24.3125".
+/// Formats a count or a mean of counts, below 2^63, so that it reads back as the same number: "1000000", "24.3125".
 std::string CountText(double count);
 
-/// A number with at most `digits` digits that count, but all those before the point, and never as a power of ten.
+/// Formats a number with at most `digits` significant digits, but all digits before the point, and never with an
+/// exponent.
 std::string Plain(double number, int digits);
 
 }  // namespace ray

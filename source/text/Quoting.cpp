@@ -7,13 +7,14 @@ namespace {
 
 bool Continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// The first character of a text: how many bytes it has, and whether a terminal may see them.
+/// The first character of a text: its length in bytes, and whether it is safe on a terminal.
 struct Character {
   std::size_t bytes = 1;
   bool is_safe = false;
 };
 
-// What could move the cursor, ring, or turn the direction of writing: C0, DEL, C1, and the bidirectional controls.
+// Returns true for characters that could move the cursor, ring, or change the direction of writing: C0, DEL, C1, and
+// the bidirectional controls.
 bool IsControl(char32_t c) {
   return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x200E || c == 0x200F || (c >= 0x2028 && c <= 0x202E) ||
          (c >= 0x2066 && c <= 0x2069);
@@ -72,7 +73,7 @@ std::string Escaped(std::string_view bytes) {
 std::string Quoted(std::string_view bytes) {
   if (bytes.size() <= most_quoted) return "'" + Escaped(bytes) + "'";
   std::size_t kept = most_quoted;
-  while (kept > most_quoted - 4 && Continues(bytes[kept])) --kept;  // not within a character
+  while (kept > most_quoted - 4 && Continues(bytes[kept])) --kept;  // not inside a character
   return "'" + Escaped(bytes.substr(0, kept)) + "...' (" + std::to_string(bytes.size()) + " bytes)";
 }
 

@@ -8,13 +8,13 @@
 namespace ray {
 namespace {
 
-// Longer words are no slips of the keyboard; the bound keeps the quadratic comparison small.
+// Longer words are not typing errors; the limit keeps the quadratic comparison small.
 constexpr std::size_t max_word = 40;
 
-/// Insertions, deletions, changes and swaps of neighbors that lead from one word to the other, letter case apart;
-/// `most` where it takes as many or more, which is often plain from the first letters. Source: Damerau, A technique for
+/// Returns the number of insertions, deletions, changes and swaps of neighbors that turn one word into the other,
+/// ignoring letter case; at most `most`, which is often clear from the first letters. Source: Damerau, A technique for
 /// computer detection and correction of spelling errors (1964), as the restricted distance computed by dynamic
-/// programming over three rows. The least of a row never falls from one to the next.
+/// programming over three rows. The minimum of a row never decreases from one row to the next.
 std::size_t Distance(std::string_view a, std::string_view b, std::size_t most) {
   const std::size_t apart = std::max(a.size(), b.size()) - std::min(a.size(), b.size());
   if (apart >= most) return most;

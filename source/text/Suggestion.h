@@ -6,12 +6,12 @@
 
 namespace ray {
 
-/// The choice that a word was probably meant to be, or nothing. A third of its letters may be wrong, whatever their
-/// case.
+/// Returns the choice that a word was probably meant to be, or an empty text. Up to a third of its letters may be
+/// wrong, ignoring letter case.
 std::string_view Nearest(std::string_view word, std::span<const std::string_view> choices);
 
-/// A hint behind a word that should have been one of `choices`: "did you mean 'sphere'?" when one is close, otherwise
-/// "commands are box, ..." with `plural` = "commands".
+/// Returns a hint about a word that should have been one of `choices`: "did you mean 'sphere'?" if one is close,
+/// otherwise "commands are box, ..." with `plural` = "commands".
 std::string Suggestion(std::string_view word, std::span<const std::string_view> choices, const std::string& plural);
 
 }  // namespace ray

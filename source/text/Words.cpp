@@ -24,8 +24,8 @@ std::string ShellWord(const std::string& word) {
   return quoted + "'";
 }
 
-/// The longest choice that begins the word, or that the word begins: "path" for "pathtracer". Fewer letters may begin
-/// anything.
+/// Returns the longest choice that begins the word or begins with it: "path" for "pathtracer". Shorter words are too
+/// ambiguous.
 std::string LongestInCommon(const std::string& word, const std::vector<std::string>& choices) {
   constexpr std::size_t fewest_letters = 4;
   std::string found;

@@ -8,32 +8,33 @@
 
 #include "source/text/NumberText.h"
 
-/// Words that users type and read.
+/// Functions for words that users type and read.
 namespace ray {
 
-/// The words of a text, separated by any white space.
+/// Splits a text into words at white space.
 std::vector<std::string> SplitWords(const std::string& text);
 
-/// The words as one would type them into a shell, quoted where needed.
+/// Returns the words as typed into a shell, quoted if necessary.
 std::string ShellLine(std::span<const std::string> words);
 
-/// "width" for "--width"; empty when there are dashes only.
+/// Returns "width" for "--width"; empty if there are only dashes.
 std::string WithoutDashes(const std::string& word);
 
-/// "1 pixel", "2 pixels"
+/// Returns "1 pixel" or "2 pixels".
 std::string Counted(std::uint64_t count, const std::string& noun);
 
-/// "none, grid or octree"
+/// Returns "none, grid or octree".
 std::string OneOf(const std::vector<std::string>& choices);
 
-/// "; did you mean 'grid'?" when one of the choices is close to the word, or begins it, or begins with it; otherwise
-/// nothing.
+/// Returns "; did you mean 'grid'?" if one of the choices is close to the word, begins it, or begins with it; otherwise
+/// an empty text.
 std::string DidYouMean(const std::string& word, const std::vector<std::string>& choices);
 
-/// A dash and a letter: an option. A dash and a digit or a point is a negative number, a dash alone a name.
+/// Returns true for a dash and a letter, an option. A dash and a digit or a point is a negative number, a single dash a
+/// name.
 bool LooksLikeOption(const std::string& word);
 
-/// An option as it was typed: "--width=512" is named "width" and brings "512" along.
+/// An option as it was typed: "--width=512" has the name "width" and the attached value "512".
 struct TypedOption {
   std::string name;
   std::optional<std::string> attached;

@@ -15,8 +15,8 @@
 #include "tests/Project.h"
 #include "tests/Quad.h"
 
-// The truth in 113 bits: of gcc's library where doubles of twice the size have a type of their own, and elsewhere of
-// the C library, whose long double has 113 bits there.
+// The exact value in 113 bits: from gcc's library where a type of twice the size of double exists, otherwise from the C
+// library, whose long double has 113 bits there.
 #if defined(__SIZEOF_FLOAT128__)
 extern "C" {
 Quad sinq(Quad), cosq(Quad), tanq(Quad), asinq(Quad), acosq(Quad), atanq(Quad), atan2q(Quad, Quad), expq(Quad),
@@ -32,7 +32,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity(), least = std::numeric_limits<double>::denorm_min();
 const double nan = std::nan("");
 
-/// Distance to the truth in ulp of it.
+/// Returns the distance to the exact value in its ulp.
 double ErrorInUlp(double got, Quad truth) {
   const double nearest = oracle::Double(truth);
   if (got == nearest || (std::isnan(got) && std::isnan(nearest))) {
@@ -60,13 +60,14 @@ struct Worst {
   }
 };
 
-/// Any double at all: random bits.
+/// Returns any double: random bits.
 double Anything(Draw& draw) {
   const auto half = [&] { return static_cast<std::uint32_t>(draw.Whole(INT32_MIN, INT32_MAX)); };
   return std::bit_cast<double>(std::uint64_t{half()} << 32 | half());
 }
 
-/// Zeros, infinities, NaN, the ends of the subnormal and normal numbers, and both sides of what is often special.
+/// Returns zeros, infinities, NaN, the ends of the subnormal and normal numbers, and both sides of values that are
+/// often special.
 std::vector<double> Specials() {
   std::vector<double> all{nan};
   for (const double x : {0.0,
@@ -105,10 +106,10 @@ std::vector<double> Specials() {
   return all;
 }
 
-/// 1 and a little more or less, down to its last bit, where logarithms almost vanish.
+/// Returns 1 and slightly more or less, down to its last bit, where logarithms nearly vanish.
 double NearOne(Draw& draw) { return 1 + std::ldexp(draw.Between(-1, 1), draw.Whole(-52, -1)); }
 
-/// Evenly in an interval, and with random exponents.
+/// Returns numbers spread evenly over an interval, and with random exponents.
 struct Interval {
   double low, high;
   double Number(Draw& draw, int i) const {
@@ -135,7 +136,7 @@ void ExpectWithin(double ulp, Function function, Truth truth, const std::vector<
   EXPECT_LE(worst.error, ulp) << worst.Where();
 }
 
-/// The doubles around multiples of pi/2, where sine or cosine almost vanish, and the nearest of all.
+/// Returns the doubles around multiples of pi/2, where sine or cosine nearly vanish, and the nearest of all.
 ///   source   the nearest: Muller, Elementary Functions (2016), table 11.1
 std::vector<double> NearMultiplesOfHalfPi() {
   std::vector<double> all{0x1.6ac5b262ca1ffp+849, 0x1.921fb54442d18p+0, 5319372648326541.0 * 0x1p202};
@@ -180,7 +181,7 @@ TEST(Elementary, ExponentialsAndLogarithmsAreWithinTheirStatedErrors) {
   ExpectWithin(0.55, R1::Cbrt, TRUTH(cbrt), {{-2, 2}, {-1e300, 1e300}});
 }
 
-/// All pairs of specials, pairs of random bits, and pairs from intervals.
+/// Returns all pairs of specials, pairs of random bits, and pairs from intervals.
 Worst WorstOfPairs(double (*function)(double, double), Quad (*truth)(Quad, Quad),
                    const std::vector<std::pair<Interval, Interval>>& intervals) {
   Draw draw(905);
@@ -230,7 +231,7 @@ TEST(Elementary, QuarterTurnsAreExactAndOthersWithinEightTenthsUlp) {
   const Quad two_pi = 4 * TRUTH(acos)(Quad(0));
   for (int i = 0; i < Count(200'000, 20'000'000); ++i) {
     const double turns = Interval{-1, 1}.Number(draw, i), n = i % 5 ? 0 : draw.Whole(-1000, 1000), all = turns + n;
-    // What is left of whole quarters is exact, so that the oracle does not have to reduce a rounded product.
+    // The remainder after whole quarters is exact, so that the oracle does not have to reduce a rounded product.
     const double quarters = std::nearbyint(4 * all);
     const Quad rest = (Quad(all) - Quad(quarters) / 4) * two_pi;
     const int quarter = static_cast<int>(quarters) & 3;
@@ -256,7 +257,7 @@ TEST(Elementary, FloorEqualsThatOfTheCLibrary) {
   for (int i = 0; i < 100'000; ++i) check(std::ldexp(draw.Between(-1, 1), draw.Whole(-70, 70)));
 }
 
-TEST(Elementary, ResultsThatDoublesHoldAreExact) {
+TEST(Elementary, RepresentableResultsAreExact) {
   for (int i = -40; i <= 40; ++i) {
     EXPECT_EQ(R1::Exp2(i), std::ldexp(1, i));
     EXPECT_EQ(R1::Pow(i, 3), static_cast<double>(i) * i * i);
@@ -271,7 +272,7 @@ int StatusOf(const std::string& script, const std::string& arguments) {
       ("'" + (project::Root() / "script" / script).string() + "' " + arguments + " > /dev/null").c_str());
 }
 
-TEST(Elementary, FunctionsOfTheCLibraryDoNotComeBackUnnoticed) {
+TEST(Elementary, CallsOfTheCLibraryAreDetected) {
   EXPECT_EQ(StatusOf("check_functions.sh", ""), 0) << "see make check";
   std::string name = (std::filesystem::temp_directory_path() / "raypro-functions-XXXXXX").string();
   const std::filesystem::path tree = mkdtemp(name.data());

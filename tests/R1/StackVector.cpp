@@ -1,4 +1,4 @@
-// Values in a row, in the vector itself as long as they fit in there.
+// Vectors whose values are stored inside the object as long as they fit.
 #include "R1/StackVector.h"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@ namespace R2 {
 
 namespace {
 
-// How far a channel in [0, 1] may be off after writing and reading.
+// The maximum error of a channel in [0, 1] after writing and reading.
 double StepOf(const ImageFormat& format, const ImageEncoding& encoding) {
   const std::string name = format.name;
   if (name == "jpeg") return 6 / 255.0;  // quality 100 below: the rounding of colors and of coefficients
@@ -35,7 +35,7 @@ const ImageSettings some_settings{{"program", "raypro 0.1"},
 
 }  // namespace
 
-// The reader loses the picture itself.
+// Otherwise the image itself would be lost.
 TEST(ImageFile, EveryFormatGivesBackWhatItWrote) {
   for (const ImageFormat& format : ImageFormats()) {
     for (const int bits : {8, 16}) {
@@ -56,7 +56,7 @@ TEST(ImageFile, EveryFormatGivesBackWhatItWrote) {
   }
 }
 
-// A picture upside down or mirrored has the right sizes and the right histogram, so it is looked for by itself.
+// An image that is upside down or mirrored has the correct size and histogram, so this is tested separately.
 TEST(ImageFile, TheBottomLeftCornerStaysAtTheBottomLeft) {
   for (const ImageFormat& format : ImageFormats()) {
     SCOPED_TRACE(format.name);
@@ -84,7 +84,7 @@ TEST(ImageFile, RedGreenAndBlueDoNotChangePlaces) {
   }
 }
 
-// Without them nobody can make the picture again.
+// Without settings nobody can reproduce the image.
 TEST(ImageFile, SettingsSurviveInJpegPngAndExr) {
   int formats_with_settings = 0;
   for (const ImageFormat& format : ImageFormats()) {
@@ -115,7 +115,7 @@ TEST(ImageFile, SettingsThatCannotBeStoredDoNotPreventWriting) {
   }
 }
 
-// K9: a download that broke off, a disk that filled up.
+// K9: an interrupted download, a full disk.
 TEST(ImageFile, ATruncatedFileIsRefusedOrStillComplete) {
   for (const ImageFormat& format : ImageFormats()) {
     const Bytes bytes = format.encode(Gradient(9, 3), {}, {{"seed", "7"}});
@@ -129,14 +129,14 @@ TEST(ImageFile, ATruncatedFileIsRefusedOrStillComplete) {
         EXPECT_STRNE(error.what(), "");
       }
     }
-    // Half of the file is never enough.
+    // Half of a file is never enough.
     EXPECT_NE(Complaint({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 2)}), "")
         << format.name;
   }
 }
 
-// K9. Any other exception, and any crash or hang, fails the test by itself.
-TEST(ImageFile, AFlippedBitGivesAnErrorOrAPicture) {
+// K9. Any other exception, and any crash or hang, fails the test anyway.
+TEST(ImageFile, AFlippedBitGivesAnErrorOrAnImage) {
   for (const ImageFormat& format : ImageFormats()) {
     Bytes bytes = format.encode(Gradient(9, 3), {}, {{"seed", "7"}});
     const Image whole = DecodeImage(bytes).image;
@@ -148,7 +148,7 @@ TEST(ImageFile, AFlippedBitGivesAnErrorOrAPicture) {
       try {
         const Image image = DecodeImage(bytes).image;
         EXPECT_GE(image.Width(), 1);
-        // Every chunk of a PNG has a checksum, so nothing passes for another picture.
+        // Every chunk of a PNG has a checksum, so no damaged file passes for another image.
         EXPECT_TRUE(format.name != std::string("png") || image == whole);
       } catch (const ImageError&) {
         ++refused;
@@ -159,20 +159,20 @@ TEST(ImageFile, AFlippedBitGivesAnErrorOrAPicture) {
   }
 }
 
-TEST(ImageFile, ATruncatedFileSaysHowMuchIsThere) {
+TEST(ImageFile, ATruncatedFileReportsHowMuchIsPresent) {
   const auto half = [](const char* name) {
     Bytes bytes = Format(name).encode(Gradient(64, 512), {}, {});
     bytes.resize(bytes.size() / 2);
     return Complaint(bytes);
   };
   EXPECT_EQ(half("png").substr(0, 18), "PNG is truncated: ");
-  EXPECT_NE(half("png").find(" of 512 rows are there"), std::string::npos);
+  EXPECT_NE(half("png").find(" of 512 rows are present"), std::string::npos);
   EXPECT_EQ(half("jpeg").substr(0, 19), "JPEG is truncated: ");
-  EXPECT_NE(half("jpeg").find(" of 512 rows are there"), std::string::npos);
-  EXPECT_EQ(half("ppm"), "PPM is truncated: the image takes 98304 bytes, 49145 are there");
+  EXPECT_NE(half("jpeg").find(" of 512 rows are present"), std::string::npos);
+  EXPECT_EQ(half("ppm"), "PPM is truncated: the image takes 98304 bytes, but only 49145 are left");
 }
 
-// Web pages and cameras name files as they like.
+// Web pages and cameras use arbitrary file names.
 TEST(Extremes, K14_ContentDecidesTheKindAndNotTheName) {
   EXPECT_EQ(DecodeImage(Format("png").encode(Gradient(2, 2), {}, {})).format, FormatForName("a.png"));
   EXPECT_EQ(Complaint({1, 2, 3}).substr(0, 33), "unknown image format; supported: ");
@@ -198,7 +198,7 @@ TEST(ImageFile, AnOutputNameFindsItsFormatInAnyLetterCase) {
   EXPECT_EQ(FormatForName(""), nullptr);
 }
 
-// The curve is applied by the 8 and 16 bit kinds alone: linear light written through it would be wrong everywhere.
+// Only the 8 and 16 bit formats apply the curve: linear light written through it would be wrong everywhere.
 TEST(ImageFile, OnlyTheByteKindsApplyTheSrgbCurve) {
   Image image(16, 16);
   for (int y = 0; y < 16; ++y)
@@ -221,7 +221,7 @@ TEST(ImageFile, LinearKindsKeepWhatIsBrighterThanWhite) {
   }
 }
 
-// A ray gone wrong must spoil one pixel, not the file.
+// A wrong ray must spoil one pixel, not the file.
 TEST(ImageFile, EveryFormatWritesNonFiniteValues) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   Image image(9, 2);
@@ -232,7 +232,7 @@ TEST(ImageFile, EveryFormatWritesNonFiniteValues) {
     for (const bool srgb : {false, true}) {
       const Image decoded = DecodeImage(format.encode(image, {.srgb = srgb}, {})).image;
       const std::string name = format.name;
-      if (name == "jpeg") continue;  // neighbors bleed into each other
+      if (name == "jpeg") continue;  // neighbors affect each other
       if (name == "pfm" || name == "exr") {
         EXPECT_TRUE(std::isnan(decoded.At(0, 0).g)) << name;
         EXPECT_EQ(decoded.At(1, 0).g, inf) << name;
@@ -245,8 +245,8 @@ TEST(ImageFile, EveryFormatWritesNonFiniteValues) {
     }
 }
 
-// Each promises more than it holds, and the last ones more than 64 bits count.
-TEST(Extremes, K3_K5_AHeaderThatPromisesTooMuchIsRefusedAtOnce) {
+// Each file states more than it contains, and the last ones more than 64 bits can count.
+TEST(Extremes, K3_K5_AHeaderThatStatesTooMuchIsRefusedAtOnce) {
   const std::vector<Bytes> bombs{
       ToBytes("P6 65535 65535 255\n"),
       ToBytes("P6 16384 16384 255\n"),
@@ -268,7 +268,7 @@ TEST(Extremes, K3_K5_AHeaderThatPromisesTooMuchIsRefusedAtOnce) {
     EXPECT_NE(Complaint(bomb), "") << std::string(bomb.begin(), bomb.end());
     EXPECT_NE(Complaint(bomb), "not enough memory for the image");
   }
-  // Memory for any one of these pictures takes longer than this merely to be cleared.
+  // Merely clearing the memory for any of these images would take longer than this.
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(500));
 }
 

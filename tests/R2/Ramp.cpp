@@ -9,7 +9,7 @@
 namespace R2 {
 namespace {
 
-// Whoever prints a heat map in gray must still see what is more and what is less.
+// A heat map printed in gray must still show the order of values.
 TEST(Ramp, LuminanceIsTheNumber) {
   for (int i = 0; i <= 1000; ++i) EXPECT_NEAR(Luminance(RampColor(i / 1000.0)), i / 1000.0, 0.001) << i;
 }
@@ -29,7 +29,7 @@ TEST(Ramp, NumbersOutsideTakeTheNearestEnd) {
   EXPECT_EQ(RampColor(std::numeric_limits<double>::infinity()), (Color{1, 1, 1}));
 }
 
-TEST(Ramp, APictureKeepsTheRowsOfItsNumbers) {
+TEST(Ramp, AnImageKeepsTheRowsOfItsNumbers) {
   Plane numbers(2, 3);
   numbers.Row(2)[1] = 1;
   const Image image = RampImage(numbers);

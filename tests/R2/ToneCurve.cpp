@@ -18,7 +18,7 @@ const ToneCurve& Curve(const std::string& name) {
   throw std::runtime_error("no curve " + name);
 }
 
-// Worked out from the published constants.
+// Computed from the published constants.
 TEST(ToneCurve, EveryCurveHasItsPublishedValues) {
   EXPECT_EQ(Curve("none").map(3.5), 3.5);
   EXPECT_EQ(Curve("reinhard").map(1), 0.5);

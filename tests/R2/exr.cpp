@@ -40,13 +40,13 @@ class Stream : public Imf::OStream {
 
 constexpr int width = 5, height = 3;
 
-/// A header for 5 by 3 pixels, all of the image, whose windows are not at the origin.
+/// Makes a header for 5 by 3 pixels, all of the image, whose windows are not at the origin.
 Imf::Header OffsetHeader() {
   const Imath::Box2i window({-2, 10}, {-2 + width - 1, 10 + height - 1});
   return Imf::Header(window, window);
 }
 
-/// Value of the pixel `x` from the left and `y` from the top, exact as a half.
+/// Returns the value of the pixel `x` from the left and `y` from the top, exact as a half.
 half Value(int x, int y, int channel) { return half(static_cast<float>(100 * channel + 10 * y + x) - 7.5f); }
 
 struct Pixels {
@@ -107,7 +107,7 @@ void ExpectTheValues(const Bytes& bytes, bool is_gray = false) {
     }
 }
 
-/// Where the value of a header's attribute starts.
+/// Returns the start of the value of a header's attribute.
 std::size_t ValueOf(const Bytes& bytes, const std::string& name, const std::string& type) {
   const std::string both = name + '\0' + type + '\0';
   const auto found = std::search(bytes.begin(), bytes.end(), both.begin(), both.end());
@@ -133,7 +133,7 @@ TEST(Exr, TilesAreReadWhetherTheyFitOrNot) {
   for (const unsigned tile : {1u, 2u, 4u, 64u}) ExpectTheValues(Tiles(tile));
 }
 
-TEST(Exr, LuminanceAloneIsGrayAndOtherChannelsAreLeftOut) {
+TEST(Exr, LuminanceAloneIsGrayAndOtherChannelsAreSkipped) {
   ExpectTheValues(ScanLines({"Y"}, Imf::ZIP_COMPRESSION), true);
   ExpectTheValues(ScanLines({"R", "G", "B", "A", "Z"}, Imf::ZIP_COMPRESSION));
   EXPECT_EQ(Complaint(ScanLines({"Z"}, Imf::ZIP_COMPRESSION)),
@@ -142,7 +142,7 @@ TEST(Exr, LuminanceAloneIsGrayAndOtherChannelsAreLeftOut) {
             "EXR has neither the channels R, G and B nor Y; it has a, b, c, d, e, f and 2 more");
 }
 
-// What the library of this build does not know yet, whoever wrote it.
+// Compressions that this build's library does not know yet.
 TEST(Exr, NewerCompressionsAreNamed) {
   Bytes bytes = ScanLines({"R", "G", "B"}, Imf::ZIP_COMPRESSION);
   for (const auto& [method, name] :
@@ -158,15 +158,15 @@ TEST(Exr, FloatsComeBackBitForBit) {
   EXPECT_EQ(DecodeImage(Format("exr").encode(image, {}, {})).image, image);
 }
 
-// K3, K5: sizes the library would believe.
-TEST(Exr, HeadersThatPromiseTooMuchAreRefused) {
+// K3, K5: sizes that the library would trust.
+TEST(Exr, HeadersThatStateTooMuchAreRefused) {
   const Bytes plain = Format("exr").encode(Gradient(9, 3), {}, {});
   const std::size_t window = ValueOf(plain, "dataWindow", "box2i");
   for (const std::uint32_t most : {0x7fffffffu, 65534u, 0x80000000u}) {
     Bytes bytes = plain;
     SetLittle(bytes, window + 8, most);
     SetLittle(bytes, window + 12, most);
-    EXPECT_EQ(Complaint(bytes).substr(0, 13), "EXR promises ") << Complaint(bytes);
+    EXPECT_EQ(Complaint(bytes).substr(0, 11), "EXR states ") << Complaint(bytes);
   }
   Bytes tall = plain;
   SetLittle(tall, window + 8, 0);
@@ -185,12 +185,11 @@ TEST(Exr, HeadersThatPromiseTooMuchAreRefused) {
 struct Windows {
   const char* file;
   int left, top, right, bottom;                              // of the image, inclusive
-  int stored_left, stored_top, stored_right, stored_bottom;  // of what the file holds
+  int stored_left, stored_top, stored_right, stored_bottom;  // of the stored pixels
   bool is_gray = false;
 };
 
-// Compositing programs store the part of a frame that they know of, or more than the frame. The files come from
-// exr/write.py.
+// Compositing programs store the known part of a frame, or more than the frame. The files come from exr/write.py.
 TEST(Exr, TheDisplayWindowIsBlackWhereNothingIsStored) {
   for (const Windows& w : {Windows{"within.exr", 0, 0, 7, 4, 2, 1, 5, 3},
                            {"beyond.exr", 1, 2, 4, 4, -2, -1, 8, 6},
@@ -226,7 +225,7 @@ TEST(Exr, ThatHoldsForLuminanceAndChromaToo) {
     ASSERT_TRUE(std::equal(bytes.begin() + static_cast<std::ptrdiff_t>(data),
                            bytes.begin() + static_cast<std::ptrdiff_t>(data + 16),
                            bytes.begin() + static_cast<std::ptrdiff_t>(display)));
-    constexpr int aside = 3, down = 2;  // by which the image is moved over what is stored
+    constexpr int aside = 3, down = 2;  // by which the image is offset from the stored pixels
     for (const std::size_t corner : {std::size_t{0}, std::size_t{8}}) {
       std::array<std::int32_t, 2> at;
       std::memcpy(at.data(), &bytes[display + corner], sizeof at);
@@ -244,7 +243,7 @@ TEST(Exr, ThatHoldsForLuminanceAndChromaToo) {
   }
 }
 
-// What is not stored takes no bytes of the file, and could be any amount of memory.
+// Pixels that are not stored take no bytes of the file, and could require any amount of memory.
 TEST(Exr, AnImageOfMostlyMarginIsRefusedBeforeAllocating) {
   const Bytes plain = Format("exr").encode(Gradient(9, 3), {}, {});
   const std::size_t window = ValueOf(plain, "displayWindow", "box2i");
@@ -255,7 +254,7 @@ TEST(Exr, AnImageOfMostlyMarginIsRefusedBeforeAllocating) {
     return bytes;
   };
   for (const std::uint32_t most : {0x7fffffffu, 65534u, 0x80000000u})
-    EXPECT_EQ(Complaint(displayed(most, most)).substr(0, 13), "EXR promises ");
+    EXPECT_EQ(Complaint(displayed(most, most)).substr(0, 11), "EXR states ");
   EXPECT_EQ(Complaint(displayed(16383, 16383)), "EXR has 9 x 3 pixels for an image of 16384 x 16384");
   EXPECT_EQ(Complaint(displayed((1u << 26), 0)), "EXR has 9 x 3 pixels for an image of 67108865 x 1");
   EXPECT_EQ(Complaint(displayed(99, 9)), "");
@@ -270,7 +269,8 @@ TEST(Exr, AHeaderWithoutADisplayWindowIsRefused) {
   EXPECT_EQ(Complaint(bytes), "EXR has no display window");
 }
 
-// The library would read the attributes behind one of a wrong size from wrong places, and make room for any size there.
+// The library would read the attributes after one of a wrong size from wrong positions, and allocate any size found
+// there.
 TEST(Exr, AttributesOfTheWrongSizeAreRefused) {
   const Bytes plain = ScanLines({"R", "G", "B"}, Imf::ZIP_COMPRESSION);
   for (const auto& [name, type] : {std::pair<std::string, std::string>{"channels", "chlist"},
@@ -292,7 +292,7 @@ TEST(Exr, AttributesOfTheWrongSizeAreRefused) {
   EXPECT_NE(with("stringvector", {255, 255, 255, 127}).find("a text takes"), std::string::npos);
 }
 
-// A header that promises wide rows costs nothing while only the header is read.
+// A header that states wide rows costs nothing while only the header is read.
 TEST(Extremes, K3_AnExrHeaderIsReadWithoutAllocatingRows) {
   Bytes bytes = ScanLines({"R", "G", "B"}, Imf::ZIP_COMPRESSION);
   for (const char* window : {"dataWindow", "displayWindow"}) {
@@ -315,7 +315,7 @@ TEST(Extremes, K3_AnExrHeaderIsReadWithoutAllocatingRows) {
   setrlimit(RLIMIT_AS, &limit);
 }
 
-// The library would hand out what its memory held before as the missing pixels.
+// The library would return uninitialized memory as the missing pixels.
 TEST(Exr, ABlockWithFewerPixelsThanTheWindowIsRefused) {
   for (const auto compression : {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION,
                                  Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION}) {
@@ -331,7 +331,7 @@ TEST(Exr, ABlockWithFewerPixelsThanTheWindowIsRefused) {
 TEST(Exr, AMissingRowIsNotFilledUp) {
   Bytes bytes = Format("exr").encode(Gradient(9, 40), {}, {});
   bytes.resize(bytes.size() - 10);
-  EXPECT_NE(Complaint(bytes).find("32 of 40 rows are there"), std::string::npos) << Complaint(bytes);
+  EXPECT_NE(Complaint(bytes).find("32 of 40 rows are present"), std::string::npos) << Complaint(bytes);
 }
 
 }  // namespace R2

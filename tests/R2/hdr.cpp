@@ -51,8 +51,8 @@ TEST(Hdr, DamagedRunsAreRefused) {
   EXPECT_NE(Complaint(Header("-Y 1 +X 8") + Bytes{2, 2, 0, 8} + Bytes{9} + Bytes(100)), "");
 }
 
-// Two by one pixels, red first: the first letter is the axis along which scan lines follow each other, and a sign says
-// whether its coordinate rises, y upwards (Ward, Radiance File Formats).
+// Two by one pixels, red first: the first letter is the axis along which scan lines follow each other, and a sign
+// states whether its coordinate increases, y upwards (Ward, Radiance File Formats).
 TEST(Hdr, TheResolutionSaysWhereTheFirstPixelIs) {
   const struct {
     const char* resolution;
@@ -79,8 +79,8 @@ TEST(Hdr, BrokenResolutionsAndOtherColorSpacesAreNamed) {
   EXPECT_EQ(Complaint(Header("-Y 1 +X 1 ") + white), "");
 }
 
-// The last of a name is kept as a setting, and all of them count.
-TEST(Hdr, FactorsOfALineThatComesAgainAreMultiplied) {
+// The last value of a name is kept as a setting, and all of them count.
+TEST(Hdr, FactorsOfRepeatedLinesAreMultiplied) {
   const auto warnings = [](const std::string& lines) {
     return DecodeImage(ToBytes("#?RADIANCE\n" + lines + "\n-Y 1 +X 1\n") + white).warnings;
   };
@@ -95,8 +95,8 @@ TEST(Hdr, FactorsOfALineThatComesAgainAreMultiplied) {
   EXPECT_EQ(warnings("PRIMARIES=\n").size(), 1u);
 }
 
-// Flat stretches are what run-length encoding is for; noise must not grow by more than a count every 128 bytes.
-TEST(Hdr, RunsMakeFlatPicturesSmallAndNoiseHardlyLarger) {
+// Run-length encoding is for flat stretches; noise must not grow by more than one count per 128 bytes.
+TEST(Hdr, RunsMakeFlatImagesSmallAndNoiseHardlyLarger) {
   EXPECT_LT(Format("hdr").encode(Image(1000, 10), {}, {}).size(), 1000u);
   Image noise(1000, 10);
   unsigned state = 1;

@@ -6,7 +6,7 @@
 
 #include "R2/ImageFile.h"
 
-/// Image files as bytes, for the tests of every kind.
+/// Image files as bytes, for the tests of every format.
 namespace R2 {
 
 using Bytes = std::vector<unsigned char>;
@@ -24,7 +24,7 @@ inline const ImageFormat& Format(const std::string& name) {
   throw std::runtime_error("no format " + name);
 }
 
-/// What DecodeImage says is wrong; empty when it finds nothing.
+/// Returns the error message of DecodeImage; empty if there is none.
 inline std::string Complaint(const Bytes& bytes) {
   try {
     DecodeImage(bytes);
@@ -34,7 +34,7 @@ inline std::string Complaint(const Bytes& bytes) {
   return "";
 }
 
-/// Smooth, so that JPEG stays close; brighter upwards, redder to the right.
+/// Makes an image that is smooth, so that JPEG stays close; brighter upwards, redder to the right.
 inline Image Gradient(int width, int height) {
   Image image(width, height);
   for (int y = 0; y < height; ++y)

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-// After cstdio, whose FILE it takes for granted.
+// After cstdio, because jerror.h needs FILE.
 #include <jpeglib.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace R2 {
 
 namespace {
 
-/// One flat color of `components` channels, as another program would write it.
+/// Makes a flat color of `components` channels, as another program would write it.
 Bytes Flat(JDIMENSION size, int components, J_COLOR_SPACE space, bool is_progressive = false,
            J_COLOR_SPACE stored = JCS_UNKNOWN) {
   jpeg_error_mgr errors;
@@ -41,7 +41,7 @@ Bytes Flat(JDIMENSION size, int components, J_COLOR_SPACE space, bool is_progres
   return bytes;
 }
 
-/// Where the frame header's marker is.
+/// Returns the position of the frame header's marker.
 std::size_t Frame(const Bytes& bytes, unsigned char marker) {
   const unsigned char wanted[] = {0xff, marker};
   return static_cast<std::size_t>(std::search(bytes.begin(), bytes.end(), wanted, wanted + 2) - bytes.begin());
@@ -49,20 +49,20 @@ std::size_t Frame(const Bytes& bytes, unsigned char marker) {
 
 }  // namespace
 
-TEST(Jpeg, GrayAndProgressivePicturesAreRead) {
+TEST(Jpeg, GrayAndProgressiveImagesAreRead) {
   EXPECT_NEAR(DecodeImage(Flat(9, 1, JCS_GRAYSCALE)).image.At(4, 4).b, 0.4, 0.005);
   EXPECT_NEAR(DecodeImage(Flat(9, 3, JCS_RGB)).image.At(4, 4).b, 0.4, 0.005);
   EXPECT_NEAR(DecodeImage(Flat(9, 3, JCS_RGB, true)).image.At(4, 4).b, 0.4, 0.005);
 }
 
-// 102 of 255 of every ink lets .4 of the light through, twice: once for black.
+// 102 of 255 of every ink transmit .4 of the light, twice: once for black.
 TEST(Jpeg, InksAreReadAsAdobeHasThem) {
   for (const J_COLOR_SPACE stored : {JCS_CMYK, JCS_YCCK})
     EXPECT_NEAR(DecodeImage(Flat(9, 4, JCS_CMYK, false, stored)).image.At(4, 4).g, 0.4 * 0.4, 0.005) << stored;
-  EXPECT_EQ(Complaint(Flat(9, 2, JCS_UNKNOWN)), "JPEG has 2 components; 1 (gray), 3 (color) and 4 (CMYK) are read");
+  EXPECT_EQ(Complaint(Flat(9, 2, JCS_UNKNOWN)), "JPEG has 2 components; 1 (gray), 3 (color) and 4 (CMYK) are supported");
 }
 
-/// A block of EXIF with one entry, in the byte order of Intel or of Motorola.
+/// Makes an EXIF block with one entry, in the byte order of Intel or of Motorola.
 Bytes Exif(unsigned char orientation, bool is_big, unsigned char type = 3) {
   const auto number = [&](std::uint32_t value, int count) {
     Bytes bytes;
@@ -82,9 +82,10 @@ Bytes WithExif(const Bytes& jpeg, const Bytes& exif) {
          Bytes(jpeg.begin() + 2, jpeg.end());
 }
 
-// Where the first pixel of the first row lies, by the table of Exif 2.3: row 0 and column 0 are top and left, top and
-// right, bottom and right, bottom and left, and the other way round left and top, right and top, and so on.
-TEST(Jpeg, OrientationsOfExifTurnThePicture) {
+// The position of the first pixel of the first row, by the table of Exif 2.3: row 0 and column 0 are top and left, top
+// and right, bottom and right, bottom and left, and with rows and columns swapped left and top, right and top, and so
+// on.
+TEST(Jpeg, OrientationsOfExifTurnTheImage) {
   Image corner(16, 32);
   for (int y = 24; y < 32; ++y)
     for (int x = 0; x < 8; ++x) corner.Set(x, y, {1, 1, 1});
@@ -105,7 +106,7 @@ TEST(Jpeg, OrientationsOfExifTurnThePicture) {
   }
 }
 
-// No viewer refuses a picture for them.
+// No viewer rejects an image because of them.
 TEST(Jpeg, BrokenBlocksOfExifTurnNothing) {
   const Bytes plain = Format("jpeg").encode(Gradient(16, 8), {}, {});
   const Image image = DecodeImage(plain).image;
@@ -124,21 +125,22 @@ TEST(Jpeg, BrokenBlocksOfExifTurnNothing) {
   EXPECT_EQ(DecodeImage(WithExif(WithExif(plain, Exif(6, false)), Exif(1, false))).image, image);  // the first counts
 }
 
-// Bits that flip on a disk: every viewer shows the rest, and here somebody is told.
-TEST(Jpeg, DamageWithinThePixelsIsToldOnce) {
+// Bits that flip on a disk: every viewer shows the rest, and here the user is warned.
+TEST(Jpeg, DamageWithinThePixelsIsReportedOnce) {
   Bytes bytes = Format("jpeg").encode(Gradient(64, 64), {}, {});
-  int told = 0;
+  int warned = 0;
   for (std::size_t i = bytes.size() - 40; i < bytes.size() - 4; ++i) {
     bytes[i] ^= 0x14;
     try {
       const DecodedImage decoded = DecodeImage(bytes);
       EXPECT_LE(decoded.warnings.size(), 1u);
-      if (!decoded.warnings.empty()) told += decoded.warnings[0].starts_with("JPEG is damaged, and parts of the image");
+      if (!decoded.warnings.empty())
+        warned += decoded.warnings[0].starts_with("JPEG is damaged, and parts of the image");
     } catch (const ImageError&) {
     }
     bytes[i] ^= 0x14;
   }
-  EXPECT_GT(told, 0);
+  EXPECT_GT(warned, 0);
 }
 
 // A stretch between two restart markers may stand for 65,535 blocks of pixels and take two bytes.
@@ -154,7 +156,7 @@ TEST(Jpeg, AFileTooSmallForItsPixelsIsRefused) {
   EXPECT_NE(Complaint(bomb + Bytes{0xff, 0xd9}).find("premature end of data segment"), std::string::npos);
 }
 
-// Half the color resolution puts colored fringes on rendered edges.
+// Halved color resolution causes colored fringes at rendered edges.
 TEST(Jpeg, ColorIsNeverSubsampled) {
   for (const int quality : {1, 50, 95, 100}) {
     const Bytes bytes = Format("jpeg").encode(Gradient(16, 16), {.jpeg_quality = quality}, {});
@@ -178,7 +180,7 @@ TEST(Jpeg, AFlatImageIsSmallerThanWithStandardCodes) {
   EXPECT_LT(Format("jpeg").encode(Image(size, size), {.jpeg_quality = 90}, {}).size(), blocks * 14u / 8);
 }
 
-// What `file` and image viewers show.
+// As shown by `file` and image viewers.
 TEST(Jpeg, SettingsAreReadableLinesInTheComment) {
   const Bytes bytes = Format("jpeg").encode(Image(1, 1), {}, {{"seed", "7"}, {"title", "a\nb"}});
   const std::string_view comment = "seed: 7\ntitle: a\\nb\n";
@@ -200,18 +202,18 @@ TEST(Jpeg, ACommentOfAnotherProgramIsKept) {
 }
 
 // K3
-TEST(Jpeg, AHeaderThatPromisesTooMuchIsRefused) {
+TEST(Jpeg, AHeaderThatStatesTooMuchIsRefused) {
   Bytes bytes = Flat(9, 3, JCS_RGB);
   const std::size_t size = Frame(bytes, 0xc0) + 5;
   for (std::size_t i = 0; i < 4; ++i) bytes[size + i] = i % 2 ? 0xdc : 0xff;  // 65,500, the most the library takes
-  EXPECT_EQ(Complaint(bytes), "JPEG promises 65500 x 65500 pixels, more than the limit of 268435456");
+  EXPECT_EQ(Complaint(bytes), "JPEG states 65500 x 65500 pixels, above the limit of 268435456");
   for (std::size_t i = 0; i < 4; ++i) bytes[size + i] = 0xff;
   EXPECT_NE(Complaint(bytes), "");
-  for (std::size_t i = 0; i < 4; ++i) bytes[size + i] = i % 2 ? 0 : 0x40;  // 16,384: under the limit, but not there
+  for (std::size_t i = 0; i < 4; ++i) bytes[size + i] = i % 2 ? 0 : 0x40;  // 16,384: under the limit, but not present
   EXPECT_NE(Complaint(bytes).find("0 of 16384 rows"), std::string::npos) << Complaint(bytes);
 }
 
-// The library would go on for as long as scans come, each over the whole picture.
+// The library would continue as long as scans come, each over the whole image.
 TEST(Jpeg, ThousandsOfScansAreRefused) {
   const Bytes bytes = Flat(64, 3, JCS_RGB, true);
   const std::size_t last_scan = [&] {

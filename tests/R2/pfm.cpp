@@ -24,8 +24,8 @@ TEST(Pfm, GrayIsReadInBothByteOrders) {
   EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 -1\n") + Bytes{0, 0, 0, 0xc0}).image.At(0, 0), (Color{-2, -2, -2}));
 }
 
-// A float may begin like white space: only the length of the file tells.
-TEST(Pfm, TheFileLengthTellsHeaderBlanksFromPixels) {
+// A float may begin like white space: only the length of the file distinguishes them.
+TEST(Pfm, TheFileLengthSeparatesHeaderBlanksFromPixels) {
   const Bytes blank_and_line{' ', '\n', 0x80, 0x3f};  // a float, little-endian
   const float as_pixel = std::bit_cast<float>(0x3f800a20u);
   EXPECT_EQ(DecodeImage(ToBytes("Pf 1 1 -1\n") + blank_and_line).image.At(0, 0).g, double{as_pixel});
@@ -36,7 +36,7 @@ TEST(Pfm, TheFileLengthTellsHeaderBlanksFromPixels) {
     EXPECT_TRUE(DecodeImage(ToBytes(header) + one).warnings.empty()) << header;
 }
 
-TEST(Pfm, BytesLeftOverAreTold) {
+TEST(Pfm, SurplusBytesAreReported) {
   const DecodedImage decoded = DecodeImage(ToBytes("Pf 1 1 1\r\n") + one + Bytes{0, 0, 0});
   EXPECT_EQ(decoded.image.At(0, 0).g, 1);
   EXPECT_EQ(decoded.warnings, std::vector<std::string>{"PFM has 3 bytes behind its image, which are ignored"});
@@ -49,7 +49,7 @@ TEST(Pfm, IsWrittenByteForByteAsTheFormatSays) {
   EXPECT_EQ(Format("pfm").encode(image, {}, {}), ToBytes("PF\n1 1\n-1.0\n") + pixels);
 }
 
-TEST(Pfm, AScaleThatIsNoNumberOrZeroIsRefused) {
+TEST(Pfm, AScaleThatIsZeroOrNotANumberIsRefused) {
   for (const char* scale : {"0", "-0.0", "nan", "inf", "1,5", "1e999", "x", "1x"}) {
     EXPECT_NE(Complaint(ToBytes("Pf 1 1 " + std::string(scale) + "\n") + one), "") << scale;
   }

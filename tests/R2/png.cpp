@@ -18,7 +18,7 @@ Bytes Big(std::uint32_t number) {
           static_cast<unsigned char>(number >> 8), static_cast<unsigned char>(number)};
 }
 
-/// Annex D of the specification, bit by bit.
+/// The CRC of Annex D of the specification, bit by bit.
 std::uint32_t Crc(const Bytes& bytes) {
   std::uint32_t crc = 0xffffffff;
   for (unsigned char byte : bytes) {
@@ -32,7 +32,7 @@ Bytes Chunk(const std::string& name, const Bytes& data) {
   return Big(static_cast<std::uint32_t>(data.size())) + ToBytes(name) + data + Big(Crc(ToBytes(name) + data));
 }
 
-/// A zlib stream whose one block is stored as it is (RFC 1950 and 1951).
+/// Makes a zlib stream with a single stored block (RFC 1950 and 1951).
 Bytes Stored(const Bytes& data) {
   std::uint32_t a = 1, b = 0;
   for (unsigned char byte : data) {
@@ -51,7 +51,7 @@ Bytes Start(std::uint32_t columns, std::uint32_t rows, unsigned char depth, Colo
   return signature + Chunk("IHDR", Big(columns) + Big(rows) + Bytes{depth, type, 0, 0, interlaced});
 }
 
-/// The scan lines, each after its filter byte.
+/// Returns the scan lines, each after its filter byte.
 Bytes End(const Bytes& scan_lines) { return Chunk("IDAT", Stored(scan_lines)) + Chunk("IEND", {}); }
 
 }  // namespace
@@ -102,8 +102,8 @@ TEST(Png, AlphaIsDroppedAndTheColorBehindItKept) {
   EXPECT_EQ(DecodeImage(Start(1, 1, 8, gray) + transparent_gray + End({0, 255})).image.At(0, 0), (Color{1, 1, 1}));
 }
 
-// A picture that was cut out for the web has colors that nobody was meant to see.
-TEST(Png, TransparentPixelsAreToldAndOpaqueOnesAreNot) {
+// An image that was cut out for the web has colors that were not meant to be seen.
+TEST(Png, TransparentPixelsAreReportedAndOpaqueOnesAreNot) {
   const auto warnings = [](const Bytes& bytes) { return DecodeImage(bytes).warnings.size(); };
   EXPECT_EQ(warnings(Start(1, 1, 8, rgb_alpha) + End({0, 255, 0, 255, 254})), 1u);
   EXPECT_EQ(warnings(Start(1, 1, 8, rgb_alpha) + End({0, 255, 0, 255, 255})), 0u);
@@ -117,10 +117,10 @@ TEST(Png, TransparentPixelsAreToldAndOpaqueOnesAreNot) {
       1u);
 }
 
-/// A block of EXIF that asks for rows to be columns from the right.
+/// Makes an EXIF block for rows that are columns from the right.
 const Bytes exif_6{'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0};
 
-TEST(Png, OrientationsOfExifTurnThePictureWhereverTheyStand) {
+TEST(Png, OrientationsOfExifTurnTheImageFromAnyPosition) {
   const Bytes start = Start(2, 1, 8, gray), pixels = Chunk("IDAT", Stored({0, 10, 20})), end = Chunk("IEND", {});
   const Bytes exif = Chunk("eXIf", exif_6);
   for (const Bytes& bytes : {start + exif + pixels + end, start + pixels + exif + end}) {
@@ -131,15 +131,15 @@ TEST(Png, OrientationsOfExifTurnThePictureWhereverTheyStand) {
     EXPECT_EQ(ToByte(image.At(0, 0).g), 20);
   }
   Bytes damaged = exif;
-  damaged[damaged.size() - 5] ^= 1;  // which its checksum tells
+  damaged[damaged.size() - 5] ^= 1;  // which its checksum reveals
   EXPECT_EQ(DecodeImage(start + damaged + pixels + end).image.Width(), 2);
 }
 
-TEST(Png, AMissingEndIsToldAndACutChunkRefused) {
+TEST(Png, AMissingEndIsReportedAndACutChunkRefused) {
   const Bytes whole = Start(1, 2, 8, rgb) + End({0, 255, 0, 0, 0, 0, 0, 255});
   const auto without = [&](std::ptrdiff_t bytes) { return Bytes(whole.begin(), whole.end() - bytes); };
   EXPECT_EQ(DecodeImage(without(12)).warnings,
-            std::vector<std::string>{"PNG has no end chunk (IEND), yet all its rows are there"});
+            std::vector<std::string>{"PNG has no end chunk (IEND), but all its rows are present"});
   EXPECT_EQ(DecodeImage(without(12)).image, DecodeImage(whole).image);
   for (std::ptrdiff_t bytes = 1; bytes < std::ssize(whole) - 8; ++bytes) {
     if (bytes == 12) continue;
@@ -151,7 +151,7 @@ TEST(Png, AMissingEndIsToldAndACutChunkRefused) {
 }
 
 // Adam7: of three by three pixels, pass 1 has (0,0), pass 5 (0,2) and (2,2), pass 4 (2,0), pass 6 (1,0) (1,2), 7 row 1.
-TEST(Png, InterlacedPicturesAreReadAsIfTheyWereNot) {
+TEST(Png, InterlacedImagesAreReadLikeOthers) {
   const Bytes passes{0, 10, 0, 12, 0, 30, 32, 0, 11, 0, 31, 0, 20, 21, 22};
   const Image interlaced = DecodeImage(Start(3, 3, 8, gray, true) + End(passes)).image;
   const Image plain = DecodeImage(Start(3, 3, 8, gray) + End({0, 10, 11, 12, 0, 20, 21, 22, 0, 30, 31, 32})).image;
@@ -159,8 +159,8 @@ TEST(Png, InterlacedPicturesAreReadAsIfTheyWereNot) {
   EXPECT_EQ(ToByte(plain.At(2, 0).g), 32);
 }
 
-// Viewers that heed gAMA would otherwise show the picture unlike the same one in other formats.
-TEST(Png, OnlySrgbPicturesSayWhatCurveTheyHave) {
+// Viewers that honor gAMA would otherwise show the image differently from the same one in other formats.
+TEST(Png, OnlySrgbImagesStateTheirCurve) {
   const auto has = [](const Bytes& bytes, std::string_view name) {
     return std::search(bytes.begin(), bytes.end(), name.begin(), name.end()) != bytes.end();
   };
@@ -191,10 +191,10 @@ TEST(Png, TextChunksOfEveryKindAreRead) {
   EXPECT_EQ(DecodeImage(bytes).settings, expected);
 }
 
-// K3: the first is over the limit of pixels; the others are under it, but no 100 bytes can hold so many.
-TEST(Png, HeadersThatPromiseTooMuchAreRefused) {
+// K3: the first is over the limit of pixels; the others are under it, but 100 bytes cannot contain that many.
+TEST(Png, HeadersThatStateTooMuchAreRefused) {
   EXPECT_EQ(Complaint(Start(65535, 65535, 8, rgb) + End({0, 1, 2, 3})),
-            "PNG promises 65535 x 65535 pixels, more than the limit of 268435456");
+            "PNG states 65535 x 65535 pixels, above the limit of 268435456");
   EXPECT_NE(Complaint(Start(0x7fffffff, 0x7fffffff, 16, rgb_alpha) + End({0})), "");
   for (const bool interlaced : {false, true}) {
     for (const unsigned char depth : Bytes{1, 8, 16}) {
@@ -205,7 +205,8 @@ TEST(Png, HeadersThatPromiseTooMuchAreRefused) {
   EXPECT_NE(Complaint(Start(0, 1, 8, rgb) + End({0})), "");
 }
 
-// A header read beyond the text behind the pixels, which are passed over packed: unpacked they would be 3.2 GB.
+// The header is read including the text after the pixels, which are skipped in compressed form: uncompressed they would
+// be 3.2 GB.
 TEST(Extremes, K4_PngMetadataIsReadWithoutDecompressingPixels) {
   const Bytes late = Chunk("tEXt", ToBytes("Late") + Bytes{0} + ToBytes("behind the pixels"));
   const Bytes bytes = ToBytes(BlackPng(16384, 16384, std::string(late.begin(), late.end())));
@@ -223,7 +224,7 @@ TEST(Extremes, K4_PngMetadataIsReadWithoutDecompressingPixels) {
   EXPECT_LE(peak() - before, 16 * 1024);
 }
 
-TEST(Extremes, K4_PngTextBombsAreLeftOut) {
+TEST(Extremes, K4_PngTextBombsAreSkipped) {
   std::vector<unsigned char> text(std::size_t{4} << 20, 'x'), packed(std::size_t{1} << 20);
   uLongf length = packed.size();
   ASSERT_EQ(compress2(packed.data(), &length, text.data(), text.size(), 9), Z_OK);
@@ -240,7 +241,7 @@ TEST(Extremes, K4_PngTextBombsAreLeftOut) {
   EXPECT_LE(kept, std::size_t{2} << 20);
 }
 
-// The guard above must not refuse what is merely packed well: a black picture shrinks nearly 1032 times.
+// The guard above must not reject well compressed images: a black one shrinks nearly 1032 times.
 TEST(Png, ImagesCompressedToTheUtmostAreRead) {
   const Bytes bytes = Format("png").encode(Image(3000, 1000), {}, {});
   EXPECT_LT(bytes.size(), 10000u);

@@ -22,11 +22,11 @@ TEST(Ppm, GrayIsReadAsTextAndAsBytes) {
   EXPECT_EQ(binary.At(0, 1), (Color{0, 0, 0}));
 }
 
-// In text, bits may stand without white space between them; rows of bytes begin at whole bytes. One is black.
+// In text, white space between bits is optional; rows of binary bits begin at whole bytes. One is black.
 TEST(Ppm, BlackAndWhiteIsReadAsTextAndAsBits) {
-  const Bytes pictures[] = {ToBytes("P1\n# bits\n9 2\n1 0 1 0 0 0 0 0 1\n000 000 110"),
-                            ToBytes("P1 9 2 101000001000000110"), ToBytes("P4 9 2\n") + Bytes{0xa0, 0x80, 0x03, 0x00}};
-  for (const Bytes& bytes : pictures) {
+  const Bytes images[] = {ToBytes("P1\n# bits\n9 2\n1 0 1 0 0 0 0 0 1\n000 000 110"),
+                          ToBytes("P1 9 2 101000001000000110"), ToBytes("P4 9 2\n") + Bytes{0xa0, 0x80, 0x03, 0x00}};
+  for (const Bytes& bytes : images) {
     const Image image = DecodeImage(bytes).image;
     EXPECT_EQ(image.At(0, 1), (Color{0, 0, 0}));
     EXPECT_EQ(image.At(1, 1), (Color{1, 1, 1}));
@@ -39,8 +39,8 @@ TEST(Ppm, BlackAndWhiteIsReadAsTextAndAsBits) {
   EXPECT_NE(Complaint(ToBytes("P4 9 2\n") + Bytes{0xa0, 0x80, 0x03}), "");
 }
 
-// A pixel may be 10, which is also the end of a line: only the length of the file tells.
-TEST(Ppm, TheFileLengthTellsHeaderWhiteSpaceFromPixels) {
+// A pixel may be 10, which is also a line end: only the length of the file distinguishes them.
+TEST(Ppm, TheFileLengthSeparatesHeaderBlanksFromPixels) {
   const Bytes line_and_51{'\n', 51};
   for (const char* header : {"P5 2 1 255\n", "P5 2 1 255\r", "P5 2 1 255\r\n", "P5 2 1 255 \n"}) {
     const DecodedImage decoded = DecodeImage(ToBytes(header) + line_and_51);
@@ -50,21 +50,21 @@ TEST(Ppm, TheFileLengthTellsHeaderWhiteSpaceFromPixels) {
   }
 }
 
-// Then nothing speaks for the blank being one too many.
+// Nothing then indicates that the blank is surplus.
 TEST(Ppm, OneBlankEndsTheHeaderOfAnOverlongFile) {
   const DecodedImage decoded = DecodeImage(ToBytes("P5 2 1 255 ") + Bytes{'\n', 51, 1, 2});
   EXPECT_EQ(ToByte(decoded.image.At(0, 0).r), 10);
   EXPECT_EQ(decoded.warnings, std::vector<std::string>{"PPM has 2 bytes behind its image, which are ignored"});
 }
 
-TEST(Ppm, WhatIsLeftOverIsTold) {
+TEST(Ppm, SurplusBytesAreReported) {
   const auto warnings = [](const std::string& text) { return DecodeImage(ToBytes(text)).warnings; };
   EXPECT_TRUE(warnings("P2 1 1 9 5\n\n # the end\n").empty());
   EXPECT_EQ(warnings("P2 1 1 9 5 6"), std::vector<std::string>{"PPM has 1 byte behind its image, which is ignored"});
   EXPECT_EQ(warnings("P5 1 1 255\nabc"),
             std::vector<std::string>{"PPM has 2 bytes behind its image, which are ignored"});
   EXPECT_EQ(warnings("P5 1 1 255\naP5 1 1 255\nb"),
-            std::vector<std::string>{"PPM holds further images behind the first, which are ignored"});
+            std::vector<std::string>{"PPM contains further images after the first, which are ignored"});
 }
 
 TEST(Ppm, ValuesAbove255AreTwoBytesTheHighOneFirst) {
@@ -81,7 +81,7 @@ TEST(Ppm, IsWrittenByteForByteAsTheFormatSays) {
   EXPECT_EQ(Format("ppm").encode(image, {}, {}), ToBytes("P6\n1 2\n255\n") + (Bytes{0, 128, 255, 255, 0, 0}));
 }
 
-// K6: a wrong number must not quietly become another.
+// K6: a wrong number must not silently become another.
 TEST(Ppm, InvalidOrOutOfRangeNumbersAreRefused) {
   for (const char* text :
        {"P3 1,5 1 255 0 0 0", "P3 0 1 255", "P3 -1 1 255 0 0 0", "P3 1 1 0 0 0 0", "P3 1 1 65536 0 0 0",

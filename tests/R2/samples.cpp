@@ -1,5 +1,5 @@
-// Image files by other programs, small ones of every kind that people have. What they hold, and which words they have
-// to be read with, stands in samples/expected.txt, by other readers; samples/README.md explains it.
+// Image files by other programs, small ones of every common kind. Their contents, and the words of the warnings, are in
+// samples/expected.txt, from other readers; samples/README.md explains it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct Sample {
   std::string file{}, error{}, warning{};
   int width = 0, height = 0;
-  double unit = 1, tolerance = 0;  // pixels are numbers of 1/unit, and so is the tolerance
+  double unit = 1, tolerance = 0;  // pixels are multiples of 1/unit, and so is the tolerance
   std::vector<Color> pixels{};     // from the top left
 };
 
@@ -30,7 +30,7 @@ Bytes ReadSample(const std::string& name) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// "r,g,b", or one number for gray.
+/// Parses "r,g,b", or one number for gray.
 Color ReadColor(const std::string& word) {
   Color c;
   char comma = 0;
@@ -67,7 +67,7 @@ std::vector<Sample> ReadSamples() {
   return samples;
 }
 
-/// Whether this build reads the format of a sample.
+/// Returns true if this build reads the format of a sample.
 bool IsRead(const Sample& sample) { return FormatForName("a.exr") || !sample.file.ends_with(".exr"); }
 
 void ExpectPixels(const Image& image, const Sample& sample) {
@@ -80,18 +80,18 @@ void ExpectPixels(const Image& image, const Sample& sample) {
     const Color difference = image.At(column, sample.height - 1 - row) * sample.unit - sample.pixels[i];
     largest = std::max({largest, std::abs(difference.r), std::abs(difference.g), std::abs(difference.b)});
   }
-  // An image keeps floats, and the text nine digits.
+  // An image stores floats, and the text has nine digits.
   EXPECT_LE(largest, sample.tolerance + 1e-7 * std::max(sample.unit, 4.0));
 }
 
-/// The warning with the words that are expected, and no other one.
+/// Expects exactly one warning, with the given words.
 void ExpectWarning(const DecodedImage& decoded, const std::string& words) {
   ASSERT_EQ(decoded.warnings.size(), words.empty() ? 0u : 1u) << (decoded.warnings.empty() ? "" : decoded.warnings[0]);
   if (words.empty()) return;
   EXPECT_NE(decoded.warnings[0].find(words), std::string::npos) << decoded.warnings[0];
 }
 
-// A picture that everybody else shows, and shows otherwise, is a wrong picture.
+// An image that all other programs show differently is wrong.
 TEST(Samples, AreReadAsOthersReadThem) {
   int read = 0;
   for (const Sample& sample : ReadSamples()) {
@@ -130,7 +130,7 @@ TEST(Samples, AreAllListed) {
   }
 }
 
-// A download that breaks off anywhere in one of them.
+// A download that is interrupted anywhere in one of them.
 TEST(Samples, CutShortAreRefusedOrKeepTheirSize) {
   for (const Sample& sample : ReadSamples()) {
     const Bytes bytes = ReadSample(sample.file);

@@ -1,4 +1,4 @@
-// Bicubic patches, against surfaces that are known otherwise.
+// Bicubic patches, compared with surfaces that are known otherwise.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ std::unique_ptr<const R3::Shape> Patch(const Corners& corners) {
   return R3::MakeShape("bezier", numbers);
 }
 
-/// Control points over a square grid: heights(i, j) at x = 3 times the share along a row, z along the rows.
+/// Makes control points over a square grid: heights(i, j) at x = 3 times the share along a row, z along the rows.
 template <typename Height>
 Corners Over(const Height& height) {
   Corners corners;
@@ -66,7 +66,7 @@ TEST(Bezier, OverAGridItIsTheCubicOfItsHeights) {
 }
 
 TEST(Bezier, RaysFindTheUvOfPointsOnCurvedPatches) {
-  // Where u and v are no straight functions of the place, a step of Newton's method is not enough.
+  // Where u and v are nonlinear functions of the position, one step of Newton's method is not enough.
   Draw draw(82);
   int judged = 0;
   for (int n = 0; n < 40; ++n) {
@@ -85,7 +85,7 @@ TEST(Bezier, RaysFindTheUvOfPointsOnCurvedPatches) {
         nearest = std::min(nearest, std::abs(hit->u - u) + std::abs(hit->v - v));
         ray.t_min = hit->t;
       }
-      // The ray passes within 10^-15 of the place, and the patch is 3 wide; slopes differ by a factor of some ten.
+      // The ray passes within 10^-15 of the point, and the patch is 3 wide; slopes differ by a factor of some ten.
       EXPECT_LE(nearest, 2e-14) << n << ' ' << k;
     }
   }
@@ -115,13 +115,13 @@ TEST(Bezier, WithoutCurvatureItIsHitAsItsTwoTrianglesAre) {
 }
 
 TEST(Bezier, AllCrossingsAreFoundInOrder) {
-  // A wave along x, whose height is that of the cubic with control values 0, 3, -3, 0: 9 u (1 - u) (1 - 2 u). A level
-  // line across it meets it where that says.
+  // A wave along x whose height is the cubic with control values 0, 3, -3, 0: 9 u (1 - u) (1 - 2 u). A level line
+  // across it meets it at the corresponding roots.
   const auto wave = Patch(Over([](int i, int) { return i == 1 ? 3.0 : i == 2 ? -3.0 : 0.0; }));
   EXPECT_EQ(CountHits(*wave, {{-1, 0.5, 1.234}, {1, 0, 0}}), 2);
   EXPECT_EQ(CountHits(*wave, {{-1, 0.86, 1.234}, {1, 0, 0}}), 2);
   EXPECT_EQ(CountHits(*wave, {{-1, 0.87, 1.234}, {1, 0, 0}}), 0);  // the crest is at sqrt(3) / 2 = 0.866
-  // The line y = 0.4 (x - 1.5) through the middle meets it there alone: 9 u (1 - u) (1 - 2 u) = -0.6 (1 - 2 u) has no
+  // The line y = 0.4 (x - 1.5) through the middle meets it only there: 9 u (1 - u) (1 - 2 u) = -0.6 (1 - 2 u) has no
   // other root within the patch. A falling line meets it twice more, at 9 u (1 - u) = 0.6.
   EXPECT_EQ(CountHits(*wave, {{-1.5, -1.2, 0.777}, {3, 1.2, 0}}), 1);
   EXPECT_EQ(CountHits(*wave, {{-1.5, 1.2, 0.777}, {3, -1.2, 0}}), 3);
@@ -160,7 +160,7 @@ TEST(Bezier, ADegenerateCornerHasANormalAndNoHole) {
     const R3::Point on_patch = patch->At({}, {0, u, v, 0}, 0).position;
     const R3::Vector direction = R3::Unit({draw.Between(-0.3, 0.3), -1, draw.Between(-0.3, 0.3)});
     const R3::Ray ray{on_patch - 3 * direction, direction};
-    // Around the corner it is a cone, which the ray may meet before. Nearer to it than 10^-6 nothing is proven.
+    // Around the corner it is a cone, which the ray may meet before. Within 10^-6 of it nothing is proven.
     double nearest = R3::infinity;
     R3::Ray rest = ray;
     while (const auto hit = patch->Intersect(rest, 0)) {

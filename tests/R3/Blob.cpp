@@ -1,4 +1,4 @@
-// Blobs, against their field in 113-bit arithmetic.
+// Blobs, compared with their field in 113-bit arithmetic.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// The field less the threshold.
+/// Returns the field minus the threshold.
 Quad FieldAt(const Numbers& numbers, const R3::Ray& ray, Quad t) {
   Quad sum = -Quad(numbers[0]);
   const oracle::Vector p = oracle::Of(ray.origin) + t * oracle::Of(ray.direction);
@@ -36,8 +36,9 @@ Numbers RandomBlob(Draw& draw) {
   return numbers;
 }
 
-/// What of the crossings found is not so, or is missed by as many samples of the line: empty, or a sentence.
-///   least   where the field is nearer to the threshold than this, rounding decides
+/// Returns a sentence if one of the crossings found is wrong, or one is missed, by the samples of the line; otherwise
+/// an empty text.
+///   least   if the field is nearer to the threshold than this, rounding decides
 std::string Fault(const Numbers& numbers, const R3::Ray& ray, const std::vector<double>& found, int samples) {
   constexpr double least = 1e-12;
   if (found.size() % 2 != 0) return "it is entered and not left";
@@ -99,7 +100,7 @@ TEST(Blob, IsHitWhereItsFieldCrossesTheThreshold) {
 }
 
 TEST(Blob, AGapOfAMillionthIsSeen) {
-  // Between two equal balls the field is least in the middle, 2 (1 - 0.25)^3.
+  // Between two equal balls the field is smallest in the middle, 2 (1 - 0.25)^3.
   const double middle = 2 * 0.421875;
   const auto blob = [](double threshold) {
     return R3::MakeShape("blob", {threshold, -0.5, 0, 0, 1, 1, 0.5, 0, 0, 1, 1});
@@ -112,7 +113,7 @@ TEST(Blob, AGapOfAMillionthIsSeen) {
   EXPECT_GT(gap[2] - gap[1], 1e-6);
 }
 
-TEST(Blob, WhatNeverReachesTheThresholdIsNotThere) {
+TEST(Blob, AFieldBelowTheThresholdHasNoSurface) {
   EXPECT_TRUE(R3::MakeShape("blob", {1, 0, 0, 0, 1, 0.9})->IsDegenerate());
   EXPECT_TRUE(R3::MakeShape("blob", {1, 0, 0, 0, 1, 2, 0, 0, 0, 1, -1.5})->IsDegenerate());
   EXPECT_FALSE(R3::MakeShape("blob", {1, 0, 0, 0, 1, 0.9, 0.1, 0, 0, 1, 0.9})->IsDegenerate());

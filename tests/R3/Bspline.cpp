@@ -1,4 +1,4 @@
-// Patches of B-spline surfaces, against the recursion that defines their basis.
+// Patches of B-spline surfaces, compared with the recursion that defines their basis.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Control points by rows, so many in each.
+/// Makes rows of control points, `columns` in each.
 struct Points {
   int columns;
   std::vector<R3::Point> at;
@@ -33,7 +33,7 @@ Points RandomPoints(Draw& draw, int columns, int rows) {
   return points;
 }
 
-/// The basis function of this degree that begins at `knot`, with knots at the whole numbers.
+/// Returns the basis function of this degree that begins at `knot`, with knots at the integers.
 ///   source   Cox (1972), de Boor (1972)
 long double Basis(int degree, long double knot, long double x) {
   if (degree == 0) return x >= knot && x < knot + 1 ? 1 : 0;

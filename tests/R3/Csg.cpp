@@ -1,4 +1,4 @@
-// Solids made of solids: what a ray meets of them is what sets of points say, however they are placed.
+// Solids made of solids: the hits of a ray agree with sets of points, however the solids are placed.
 #include "R3/Csg.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ Node Solid(const std::string& kind, const std::vector<double>& arguments) {
   return accelerators::Leaf(R3::MakeShape(kind, arguments));
 }
 
-/// The children in a group, or combined.
+/// Returns the children in a group, or combined.
 template <class... Children>
 Node With(Node parent, Children&&... children) {
   (parent.children.push_back(std::forward<Children>(children)), ...);
@@ -63,7 +63,7 @@ R3::Ray RayAt(Draw& draw, const R3::Box& box) {
 }
 
 TEST(Csg, ABoxMinusACylinderHasARoundHole) {
-  // The hole's faces are in those of the box to the bit.
+  // The hole's faces coincide exactly with those of the box.
   const auto plate = CsgOf(Combined(subtract, Solid("box", {-2, -1, -2, 2, 1, 2}), Solid("cylinder", {0, 0, 0, 1, 2})));
   EXPECT_TRUE(AllHits(*plate, {{0.3, 5, 0.4}, {0, -1, 0}}).empty());
   EXPECT_EQ(AllHits(*plate, {{1.3, 5, 0.4}, {0, -1, 0}}), (std::vector<double>{4, 6}));
@@ -81,7 +81,7 @@ TEST(Csg, ABoxMinusACylinderHasARoundHole) {
   EXPECT_NEAR(plate->At(ray, *wall, 0).normal.x, -1, 1e-15);
 }
 
-TEST(Csg, WhatTwoBallsHaveInCommonIsALens) {
+TEST(Csg, TheIntersectionOfTwoBallsIsALens) {
   // Balls of radius 5 about (0, 0, -4) and (0, 0, 4): the lens is 2 thick and its rim has a radius of 3.
   const auto lens = CsgOf(Combined(intersect, Solid("sphere", {0, 0, -4, 5}), Solid("sphere", {0, 0, 4, 5})));
   for (const double x : {0.0, 1.0, 2.0, 2.9, 2.999}) {
@@ -97,7 +97,7 @@ TEST(Csg, WhatTwoBallsHaveInCommonIsALens) {
   EXPECT_EQ(box.high.z, 1);
 }
 
-TEST(Csg, BoundsAreThoseOfWhatIsLeft) {
+TEST(Csg, BoundsAreThoseOfTheRemainder) {
   const auto boxed = [](R3::CsgOperation operation) {
     return CsgOf(Combined(operation, Solid("box", {0, 0, 0, 2, 2, 2}), Solid("box", {1, 1, 1, 5, 3, 4})))->Bounds(0);
   };
@@ -106,7 +106,7 @@ TEST(Csg, BoundsAreThoseOfWhatIsLeft) {
   EXPECT_EQ(boxed(subtract), (R3::Box{{0, 0, 0}, {2, 2, 2}}));
 }
 
-/// A bumpy mesh, its fronts outward.
+/// Makes a bumpy mesh, its fronts outward.
 std::shared_ptr<const R3::Mesh> BumpySolid() {
   R3::MeshData data = accelerators::BumpyBall(12, 9);
   for (auto& triangle : data.triangles) std::swap(triangle[1], triangle[2]);
@@ -115,7 +115,7 @@ std::shared_ptr<const R3::Mesh> BumpySolid() {
   return ball;
 }
 
-/// One of each kind, in place and out of it.
+/// Makes one shape of each kind, placed with and without a transform.
 std::vector<Node> SomeSolids(const R3::Matrix& transform) {
   std::vector<Node> solids;
   for (const auto* kind : BoundedShapeKinds()) {
@@ -148,7 +148,7 @@ TEST(Csg, ASolidWithItselfIsItselfAndLessItselfNothing) {
 }
 
 TEST(Csg, ASolidAloneIsHitAsItIs) {
-  // For meshes with an edge or a corner in the way, too: the exact lines through them are among the rays.
+  // For meshes the lines exactly through edges and corners are also tested.
   Draw draw(37);
   for (const auto* kind : BoundedShapeKinds()) {
     const std::shared_ptr<const R3::Shape> shape = kind->make(kind->example);
@@ -159,7 +159,7 @@ TEST(Csg, ASolidAloneIsHitAsItIs) {
       const R3::Ray ray = RayAt(draw, Bounds(*shape));
       differ += AllHits(*csg, ray) != AllHits(*shape, ray);
     }
-    EXPECT_LE(differ, 1) << kind->name;  // where a chord is shorter than rounding
+    EXPECT_LE(differ, 1) << kind->name;  // chords shorter than rounding
   }
 }
 
@@ -177,7 +177,7 @@ TEST(Csg, RaysEnterAMeshAsOftenAsTheyLeave) {
     if (i % 4 == 1) ray = {{draw.Between(-2, 2), corner().y, -5}, {0, 0, 1}};
     const std::vector<double> hits = AllHits(*csg, ray);
     EXPECT_EQ(hits.size() % 2, 0u) << oracle::Hex(ray);
-    // In the middle of a chord another ray across it must find itself inside.
+    // In the middle of a chord, another ray across it must find itself inside.
     if (hits.size() < 2 || hits[1] - hits[0] < 1e-6) continue;
     const R3::Ray across{ray.At((hits[0] + hits[1]) / 2), draw.Direction()};
     EXPECT_EQ(AllHits(*csg, across).size() % 2, 1u) << oracle::Hex(across);
@@ -200,9 +200,9 @@ TEST(Csg, DeMorgansLawsHoldOfHits) {
   }
 }
 
-TEST(Csg, RaysPassAHoleWhoseFacesAreRoundedOtherwise) {
-  // The box is turned at once and the cylinder in two steps, so that the faces which should be one differ in their last
-  // bits, by which a film would be left in the hole.
+TEST(Csg, RaysPassAHoleWhoseFacesAreRoundedDifferently) {
+  // The box is rotated at once and the cylinder in two steps, so that faces that should coincide differ in their last
+  // bits, which would leave a film in the hole.
   Draw draw(47);
   const R3::Vector axis{1, 2, 3};
   for (const double degrees : {30.0, 47.3}) {
@@ -228,7 +228,7 @@ TEST(Csg, RaysPassAHoleWhoseFacesAreRoundedOtherwise) {
 }
 
 TEST(Csg, RaysPassAHoleMovedFarAwayAndBack) {
-  // Both solids are turned about a place 10^4 away and brought back, which costs digits that no number of the result
+  // Both solids are rotated about a point 10^4 away and moved back, which costs digits that no number of the result
   // shows.
   Draw draw(48);
   const R3::Vector axis{1, 2, 3}, away{1e4, -3e4, 2e4};
@@ -276,19 +276,19 @@ TEST(Csg, BallsThatTouchAreHitAsIfApart) {
   EXPECT_EQ(AllHits(*bowl, {{0, 9, 0}, {0, -1, 0}}).size(), 2u);
 }
 
-TEST(Csg, TwoHundredOperationsInOneAnotherAreOneSolid) {
+TEST(Csg, TwoHundredNestedOperationsAreOneSolid) {
   // A row of balls, each cut off by the next: 1 - (2 - (3 - ...)).
   Node nested = Solid("sphere", {200, 0, 0, 0.75});
   for (int i = 199; i > 0; --i) nested = Combined(subtract, Solid("sphere", {i * 1.0, 0, 0, 0.75}), std::move(nested));
   const auto row = CsgOf(nested);
-  // From the left, ball 1 is met at 0.25 and lost where ball 2, not yet cut by ball 3, begins, at 1.25.
+  // From the left, the ray enters ball 1 at 0.25 and leaves it at 1.25, where ball 2, not yet cut by ball 3, begins.
   const std::vector<double> hits = AllHits(*row, {{0, 0, 0}, {1, 0, 0}});
   ASSERT_EQ(hits.size(), 2u);
   EXPECT_NEAR(hits[0], 0.25, 1e-14);
   EXPECT_NEAR(hits[1], 1.25, 1e-14);
 }
 
-// Random trees against an oracle that knows each solid's stretch of the line in 113 bits, and asks for the value of the
+// Compares random trees with an oracle that knows each solid's stretch of the line in 113 bits, and evaluates the
 // expression in the middle between any two ends.
 
 struct Judged {
@@ -310,7 +310,7 @@ struct Judged {
   }
 };
 
-/// A tree without stretches yet, and with them for a line.
+/// A tree without stretches, and with them for a line.
 struct Tree {
   R3::CsgOperation operation = unite;
   std::optional<oracle::Solid> solid{};
@@ -335,8 +335,7 @@ struct Tree {
   }
 };
 
-/// Half of the solids stand on a coarse grid, where faces often coincide exactly; the rest anywhere, turned and
-/// sheared.
+/// Half of the solids are on a coarse grid, where faces often coincide exactly; the rest anywhere, rotated and sheared.
 Tree RandomTree(Draw& draw, int levels, double scale) {
   if (levels == 0 || draw.Whole(0, 3) == 0) {
     const bool is_on_grid = draw.Whole(0, 1) == 1;
@@ -365,8 +364,8 @@ Tree RandomTree(Draw& draw, int levels, double scale) {
   return tree;
 }
 
-/// Where the line goes into the solid and out of it by the judge; nothing where ends are near to each other, but not so
-/// near that only rounding can be between them.
+/// Returns the points where the line enters and leaves the solid according to the oracle; std::nullopt if ends are near
+/// each other, but farther apart than rounding.
 std::optional<std::vector<double>> Expected(const Judged& judged, double scale) {
   const Quad same = 1e-14 * scale, apart = 1e-7 * scale;  // sums of two numbers of the grid are rounded
   std::vector<Quad> ends;
@@ -385,12 +384,12 @@ std::optional<std::vector<double>> Expected(const Judged& judged, double scale) 
   return expected;
 }
 
-/// How many rays could be judged.
+/// Counts the rays that could be judged.
 struct Verdicts {
   int judged = 0, undecided = 0;
 };
 
-/// Compares the hits of rays at a tree with the judge's.
+/// Compares the hits of rays with those of the oracle.
 void Judge(const Tree& tree, Draw& draw, int rays, double scale, Verdicts& verdicts) {
   const auto csg = CsgOf(tree.ToNode());
   if (csg->IsDegenerate()) return;
@@ -406,11 +405,11 @@ void Judge(const Tree& tree, Draw& draw, int rays, double scale, Verdicts& verdi
     ASSERT_EQ(hits.size(), expected->size())
         << testing::PrintToString(hits) << testing::PrintToString(*expected) << scale << ' ' << oracle::Hex(ray);
     for (std::size_t k = 0; k < hits.size(); ++k) EXPECT_NEAR(hits[k], (*expected)[k], 1e-11 * scale);
-    // A ray that begins on its way finds the rest of them, to the bit.
+    // A ray that starts on the way finds the remaining hits, bit-identical.
     if (hits.empty()) continue;
     const std::vector<double> rest = AllHits(*csg, {ray.origin, ray.direction, hits[0]});
     EXPECT_TRUE(std::equal(rest.begin(), rest.end(), hits.begin() + 1, hits.end()));
-    // So does one that begins and ends anywhere, which need not ask all solids.
+    // So does one that starts and ends anywhere, which need not test all solids.
     R3::Ray part = ray;
     part.t_min = draw.Between(hits.front() - scale, hits.back()), part.t_max = draw.Between(part.t_min, hits.back());
     const auto first = std::ranges::upper_bound(hits, part.t_min);
@@ -424,7 +423,7 @@ void Judge(const Tree& tree, Draw& draw, int rays, double scale, Verdicts& verdi
 
 TEST(Csg, H6_RandomTreesAreHitWhereSetsOfPointsSay) {
   Verdicts verdicts;
-  // CSG_TREES is how many trees there are in all, with CSG_RAYS_OF_TREE rays each.
+  // CSG_TREES is the total number of trees, with CSG_RAYS_OF_TREE rays each.
   const int trees = Asked("CSG_TREES", 180, 9000) / 3, rays = Asked("CSG_RAYS_OF_TREE", 100, 1000);
   for (const double scale : {1.0, 1e-6, 1e6})
     for (int seed = 0; seed < trees; ++seed) {
@@ -440,7 +439,7 @@ TEST(Csg, H6_RandomTreesAreHitWhereSetsOfPointsSay) {
 }
 
 TEST(Csg, ManySolidsAreHitWhereSetsOfPointsSay) {
-  // Side by side and in one another, so that boxes leave most of them out.
+  // Next to and inside one another, so that boxes exclude most of them.
   Verdicts verdicts;
   const int trees = Count(20, 400), rays = Count(50, 500);
   for (int seed = 0; seed < trees; ++seed) {
@@ -469,7 +468,7 @@ TEST(Csg, ManySolidsAreHitWhereSetsOfPointsSay) {
 }
 
 TEST(Csg, HandlesHundredsOfCrossingsOfOneSolid) {
-  // Plates one tenth apart, two hundred crossings along x, of which a ball keeps those within.
+  // Plates one tenth apart, two hundred crossings along x, clipped by a ball.
   const auto plates =
       std::make_shared<R3::Implicit>(R3::Expression("sin(20 pi x) + 0.5"), R3::Box{{-5.01, -1, -1}, {5.01, 1, 1}});
   const R3::Ray ray{{-9, 0.1, 0.2}, {1, 0, 0}};
@@ -486,7 +485,7 @@ TEST(Csg, HandlesHundredsOfCrossingsOfOneSolid) {
     EXPECT_TRUE(std::ranges::any_of(within, [&](double x) { return std::abs(x - t) < 1e-12; })) << t;
 }
 
-TEST(Csg, NormalsFaceOutOfWhatIsLeft) {
+TEST(Csg, NormalsFaceOutOfTheRemainder) {
   Draw draw(61);
   for (int seed = 0; seed < 30; ++seed) {
     const auto csg =
@@ -527,7 +526,7 @@ TEST(Csg, EveryAcceleratorFindsTheSame) {
   }
 }
 
-TEST(Csg, RaysThatAreNoRaysMissIt) {
+TEST(Csg, InvalidRaysMissIt) {
   const auto csg = CsgOf(Combined(unite, Solid("sphere", {0, 0, 0, 1}), Solid("box", {0, 0, 0, 2, 2, 2})));
   const double nan = std::nan("");
   for (const R3::Vector d : {R3::Vector{0, 0, 0}, R3::Vector{nan, 0, 1}, R3::Vector{0, nan, 1}, R3::Vector{0, 0, nan},

@@ -1,4 +1,4 @@
-// Formulas: what they mean, what is wrong with those that mean nothing, and that intervals hold every value.
+// Formulas: their meaning, error messages for invalid ones, and intervals that contain every value.
 #include "R3/Expression.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ TEST(Expression, MeansWhatOneWrites) {
   EXPECT_NEAR(ValueOf("sin(pi / 6) + cos(0) + tan(pi / 4) + exp(0) + log(1) + sqrt(4)"), 0.5 + 1 + 1 + 1 + 2, 1e-15);
 }
 
-/// "9-3: no variable ..."
+/// Returns "9-3: no variable ...".
 std::string FaultOf(const std::string& text) {
   try {
     Expression expression(text);
@@ -39,7 +39,7 @@ std::string FaultOf(const std::string& text) {
   return "none";
 }
 
-TEST(Expression, MistakesAreWhereTheyAre) {
+TEST(Expression, MistakesAreReportedAtTheirPosition) {
   EXPECT_EQ(FaultOf("x^2 + foo(y)"), "6+3: no variable or function is named 'foo'");
   EXPECT_EQ(FaultOf("x +"), "2+1: the formula ends where a number, a variable or a function is missing");
   EXPECT_EQ(FaultOf(""), "0+1: the formula ends where a number, a variable or a function is missing");
@@ -109,7 +109,7 @@ TEST(Expression, SlopesAreThoseOfFiniteDifferences) {
       const double difference = (at(step) - at(-step)) / (2 * step);
       far += !(std::abs(slope - difference) <= 1e-4 * (1 + std::abs(slope)));
     }
-    EXPECT_LE(far, 5) << text;  // beside kinks and poles
+    EXPECT_LE(far, 5) << text;  // near kinks and poles
   }
 }
 

@@ -1,4 +1,4 @@
-// A formula in eight lanes against the same formula one place at a time.
+// Formulas in eight lanes, compared with the same formula one point at a time.
 #include "R3/shapes/FormulaLanes.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace R3 {
 namespace {
 
-// Among them every operation, angles of all sizes, what is defined on one side only, and steps that come again.
+// These include every operation, angles of all sizes, one-sided domains, and repeated steps.
 const char* const lane_formulas[] = {"x^2 + y^2 + z^2 - 1",
                                 "(x^2 + 2.25 y^2 + z^2 - 1)^3 - x^2 z^3 - 0.1125 y^2 z^3",
                                 "sin(3 x) + cos(3 x) sin(1000000 z) - cos(1e9 y) / sin(3 x)",
@@ -53,7 +53,7 @@ TEST(FormulaLanes, HaveTheBitsOfOnePlaceAtATime) {
   }
 }
 
-TEST(FormulaLanes, HoldEveryValueAndEverySlope) {
+TEST(FormulaLanes, ContainEveryValueAndEverySlope) {
   Draw draw(76);
   for (const char* text : lane_formulas) {
     const Expression formula(text);
@@ -86,7 +86,7 @@ TEST(FormulaLanes, HoldEveryValueAndEverySlope) {
   }
 }
 
-/// How wide bounds are is what they cost: each lane's are those of Interval, but for some last bits.
+/// The cost of bounds depends on their width: each lane's are those of Interval, up to some last bits.
 TEST(FormulaLanes, AreNoWiderThanOneStretchAtATime) {
   Draw draw(77);
   for (const char* text : lane_formulas) {

@@ -1,4 +1,4 @@
-// Solids of a formula, against the same solids made otherwise.
+// Solids of a formula, compared with the same solids made otherwise.
 #include "R3/Implicit.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Ray RayThroughSolid(Draw& draw) {
   return {Point{} + 1.5 * draw.Direction() - draw.Scale(0.6, 2) * d, d};
 }
 
-/// That the formula is met where the shape is, with its normals; all but a few rays that touch.
+/// Expects that the formula is hit where the shape is, with its normals, except for a few rays that graze.
 void ExpectTheSame(const Implicit& solid, const Shape& shape, int rays = Count(3000, 300'000)) {
   Draw draw(61);
   int differ = 0, hits = 0;
@@ -67,15 +67,15 @@ TEST(Implicit, ItsBoxCutsItOff) {
             (std::vector<double>{4, 6}));
 }
 
-TEST(Implicit, SheetsAsThinAsAHairAreNotSteppedOver) {
+TEST(Implicit, SheetsAsThinAsAHairAreNotSkipped) {
   // Forty-one plates of 10^-9, one 0.1 behind the other.
   const Implicit plates = SolidOf("abs(sin(10 pi x)) - 3e-8");
   const std::vector<double> hits = crossings::Along(plates, {{-5.03, 0.1, 0.2}, {1, 0, 0}});
-  ASSERT_EQ(hits.size(), 2u * 41);  // and one half plate at each end of the box
+  ASSERT_EQ(hits.size(), 2u * 41);  // plus one half plate at each end of the box
   for (std::size_t i = 1; i < 40; ++i) EXPECT_NEAR(hits[2 * i], 3.03 + 0.1 * static_cast<double>(i), 1e-8);
 }
 
-TEST(Implicit, WhatIsNotDefinedIsOutside) {
+TEST(Implicit, UndefinedPointsAreOutside) {
   EXPECT_EQ(crossings::Along(SolidOf("sqrt(x) - 1"), {{-5, 0, 0}, {1, 0, 0}}).size(), 2u);
   EXPECT_NEAR(crossings::Along(SolidOf("sqrt(x) - 1"), {{-5, 0, 0}, {1, 0, 0}})[0], 5, 1e-12);
   EXPECT_NEAR(crossings::Along(SolidOf("1 / x"), {{-5, 0, 0}, {1, 0, 0}})[1], 5, 1e-12);
@@ -102,7 +102,7 @@ TEST(Implicit, ARayThatLiesInItsSurfaceEnds) {
   EXPECT_LE(crossings::Along(SolidOf("0 x"), {{-5, 0.3, 0}, {1, 0.1, 0}}).size(), 2u);
 }
 
-// Each of these once kept a ray for ever.
+// Each of these rays once never ended.
 TEST(Implicit, E10_RaysThatStartOnTheirSurfaceEnd) {
   const char* through_origin[] = {"y",
                                   "-y",
@@ -159,7 +159,7 @@ TEST(Implicit, B13_NormalsAreRightWhereTheSlopeIsZeroOrUndefined) {
   }
 }
 
-/// A random formula. Its surface goes through the origin if it is taken less its value there.
+/// Makes a random formula. Minus its value at the origin, its surface contains the origin.
 std::string RandomFormula(Draw& draw, int depth) {
   const auto inner = [&] { return RandomFormula(draw, depth - 1); };
   if (depth == 0 || draw.Whole(0, 7) == 0) {
@@ -195,7 +195,7 @@ std::string RandomFormula(Draw& draw, int depth) {
 }
 
 // A ray divides at most 4,681 stretches, whatever the formula; see most_divisions. The slowest are printed at night.
-TEST(Implicit, E10_RaysOnInAndBesideRandomSurfacesEnd) {
+TEST(Implicit, E10_RaysOnInAndNearRandomSurfacesEnd) {
   double slowest = 0;
   int tried = 0;
   for (int number = 0; number < Count(500, 1'000'000); ++number) {

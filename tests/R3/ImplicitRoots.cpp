@@ -1,4 +1,4 @@
-// That no root is missed on surfaces which make it hard, against a search in 113 bits that shares no code with it.
+// Difficult surfaces, compared with a search in 113 bits that shares no code, to verify that no root is missed.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ N Max(N a, N b) {
   return a > b ? a : b;
 }
 
-/// A formula as a scene says it, and once more as this file does, in doubles and in 113 bits.
+/// A formula as text, and as a function in doubles and in 113 bits.
 struct Nasty {
   const char *name, *formula;
   double (*rough)(double, double, double);
@@ -92,10 +92,10 @@ struct Line {
   }
 };
 
-/// Where nearer to 0 than this, doubles cannot tell on which side a place is.
+/// The distance to 0 below which doubles cannot decide on which side a point is.
 constexpr double rounding = 1e-12;
 
-/// The place between two others at which the magnitude of the formula is least, by golden sections.
+/// Returns the point between two others at which the magnitude of the formula is smallest, by golden section.
 Quad LeastBetween(const Line& line, Quad low, Quad high) {
   const Quad golden = (oracle::Sqrt(5) - 1) / 2;
   Quad a = high - golden * (high - low), b = low + golden * (high - low);
@@ -109,15 +109,15 @@ Quad LeastBetween(const Line& line, Quad low, Quad high) {
   return at_a < at_b ? a : b;
 }
 
-/// Whether the place is inside; nothing where rounding decides.
+/// Returns true if the point is inside; std::nullopt if rounding decides.
 std::optional<bool> IsInside(const Line& line, Quad t) {
   const Quad value = line.Exact(t);
   if (Abs(value) < rounding) return {};
   return value < 0;
 }
 
-/// How many places of the stretch are on another side than the crossings found say.
-///   samples   evenly along it, and one more wherever the magnitude is least between two of them
+/// Returns the number of points of the stretch on another side than the crossings found imply.
+///   samples   evenly along it, and one more wherever the magnitude is smallest between two of them
 int Misjudged(const Line& line, double enter, double leave, const std::vector<double>& found, int samples) {
   int misjudged = 0;
   const auto judge = [&](Quad t) {
@@ -133,7 +133,7 @@ int Misjudged(const Line& line, double enter, double leave, const std::vector<do
     const auto before = std::ranges::count_if(found, [&](double x) { return x <= t; });
     if (inside != (before % 2 == 1)) judge(t);
     const double ahead = std::abs(line.Rough(t + step));
-    // Between its neighbors the magnitude is least here, so it may be 0 beside it.
+    // The magnitude is smallest here between its neighbors, so it may be 0 close to it.
     if (i > 0 && middle <= behind && middle <= ahead) judge(LeastBetween(line, t - step, t + step));
     behind = middle, middle = ahead;
   }

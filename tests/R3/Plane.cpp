@@ -20,7 +20,7 @@ AnyPlane Drawn(Draw& draw) {
   return PlaneOf(R3::Point{} + draw.Scale(-3, 6) * draw.Direction(), draw.Scale(-3, 3) * draw.Direction());
 }
 
-/// n.(p - point) / |n| in 113 bits: how far a place is from the plane.
+/// Returns n.(p - point) / |n| in 113 bits: the distance of a point from the plane.
 double Distance(const AnyPlane& plane, const R3::Point& p) {
   const oracle::Vector n = oracle::Of(plane.normal);
   const Quad along = Dot(n, oracle::Of(p) - oracle::Of(plane.point));
@@ -39,7 +39,7 @@ TEST(Plane, IsHitWhereExactArithmeticSays) {
     ASSERT_EQ(hit.has_value(), t > 0) << i;
     if (!hit) continue;
     ++hits;
-    // Along the normal, where it counts: a grazing ray's t may err by more.
+    // Along the normal, where it matters: a grazing ray's t may err by more.
     const double reach = hit->t * Length(ray.direction) + Length(FromOrigin(ray.origin));
     ASSERT_LE(Distance(plane, ray.At(hit->t)), 32 * 0x1p-53 * reach);
   }
@@ -69,7 +69,7 @@ TEST(Plane, IsMissedByRaysAlongItAndInIt) {
   EXPECT_FALSE(plane.shape->Intersect({{0, 2, 0}, {0, -0.5, 0}, 0, 2}, 0));
 }
 
-TEST(Plane, RefusesANormalOfNoLength) {
+TEST(Plane, RejectsAZeroNormal) {
   try {
     R3::FindShapeKind("plane")->make(std::vector<double>{1, 2, 3, 0, 0, 0});
     FAIL();

@@ -1,4 +1,4 @@
-// Faces of any number of corners, cut into triangles.
+// Faces with any number of corners, split into triangles.
 
 #include <gtest/gtest.h>
 
@@ -18,14 +18,14 @@ double AreaOf(const R3::Cuts& cuts, std::span<const R3::Point> polygon) {
   double area = 0;
   for (const auto& t : cuts) {
     const double twice = Cross(polygon[t[1]] - polygon[t[0]], polygon[t[2]] - polygon[t[0]]).z;
-    EXPECT_GE(twice, 0);  // none is turned over
+    EXPECT_GE(twice, 0);  // none is flipped
     area += twice / 2;
   }
   return area;
 }
 
 TEST(Extremes, D9_TrianglesCoverAConcaveFaceOnce) {
-  // A fan from the first corner would cover ground outside of each.
+  // A fan from the first corner would cover area outside each of them.
   const std::vector<R3::Point> arrow{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1.9, 0.1, 0}};
   EXPECT_NEAR(AreaOf(*R3::Triangulate(arrow), arrow), 0.2, 1e-12);
   const std::vector<R3::Point> comb{{0, 0, 0}, {5, 0, 0}, {5, 2, 0}, {4, 2, 0}, {4, 1, 0}, {3, 1, 0},
@@ -43,8 +43,8 @@ double Shoelace(std::span<const R3::Point> polygon) {
   return twice / 2;
 }
 
-/// Counter-clockwise, of n corners: a comb whose teeth are of different lengths, a star, and a strip that winds to the
-/// middle and is as wide as the gaps between its turns.
+/// Makes counter-clockwise polygons of n corners: a comb with teeth of different lengths, a star, and a strip that
+/// spirals to the middle and is as wide as the gaps between its turns.
 std::vector<std::vector<R3::Point>> ConcavePolygons(int n) {
   std::vector<R3::Point> comb{{0, -9, 0}, {n - 1.0, -9, 0}}, star, spiral;
   for (int i = n - 3; i >= 0; --i) comb.push_back({i + 0.5, i % 2 ? 0 : 5.0 + i * 37 % 101, 0});
@@ -70,7 +70,7 @@ TEST(Extremes, D9_TrianglesCoverAConcaveFaceOf5000CornersOnce) {
     }
 }
 
-/// The area of all triangles, whichever way they turn.
+/// Returns the area of all triangles, whichever way they turn.
 double AreaOf(const R3::MeshData& mesh) {
   double area = 0;
   for (const auto& t : mesh.triangles) {
@@ -91,14 +91,14 @@ TEST(Extremes, D9_AFaceWhoseSidesCrossIsCutWhereTheyDo) {
     const double angle = 2 * std::numbers::pi * 2 * i / 5;
     star += std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
   }
-  // It goes around the pentagon in its middle twice, which may be there twice.
+  // It goes around the pentagon in its middle twice, which may be covered twice.
   const double inner = 1 / std::pow((1 + std::sqrt(5)) / 2, 2), once = 5 * inner * std::sin(0.2 * std::numbers::pi),
                pentagon = 2.5 * inner * inner * std::sin(0.4 * std::numbers::pi);
   const double area = AreaOf(Read("a.off", star + "5 0 1 2 3 4").data);
   EXPECT_LT(std::min(std::abs(area - once), std::abs(area - once - pentagon)), 1e-5) << area;
 }
 
-// Each of them would be a vertex of its own.
+// Each of them would be a separate vertex.
 TEST(Extremes, D9_SidesThatCrossTooOftenAreNotCut) {
   constexpr int n = 101;
   std::string off = "OFF 101 1 0\n", face = "101";
@@ -141,7 +141,7 @@ TEST(Extremes, D9_CrossingVerticesInterpolateEveryAttribute) {
 }
 
 TEST(Extremes, D9_SlowFacesAreCutAsFansWithAWarning) {
-  // Crosses itself very often, so that hardly any corner is an ear.
+  // Crosses itself so often that hardly any corner is an ear.
   constexpr int n = 20'001;
   std::string off = "OFF " + std::to_string(n) + " 1 0\n", face = std::to_string(n);
   for (int i = 0; i < n; ++i) {
@@ -157,8 +157,8 @@ TEST(Extremes, D9_SlowFacesAreCutAsFansWithAWarning) {
 }
 
 TEST(Extremes, D9_EdgesOfAFaceStayEdgesOfItsTriangles) {
-  // So faces that met along an edge still do, and a closed mesh stays closed. The third polygon crosses itself, the
-  // fourth repeats a corner, the fifth is not flat, the last has no area at all.
+  // Faces that met along an edge still do, so a closed mesh stays closed. The third polygon crosses itself, the fourth
+  // repeats a corner, the fifth is not flat, the last has no area at all.
   const std::vector<std::vector<R3::Point>> polygons{
       {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1.9, 0.1, 0}},
       {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0.5, 0}, {0, 2, 0}},

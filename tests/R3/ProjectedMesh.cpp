@@ -1,4 +1,4 @@
-// Texture coordinates that a mesh is given by projection.
+// Texture coordinates that a mesh gets by projection.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,8 @@ Normal NormalOf(const Mesh& mesh, int element) {
   return AsNormal(FaceDirection(p, q, r));
 }
 
-/// How a triangle's texture coordinates grow over the place, as the rows of a matrix: u along the first, v the second.
+/// Returns the derivatives of a triangle's texture coordinates by position, as the rows of a matrix: u is the first, v
+/// the second.
 std::array<Vector, 2> GradientsOf(const Mesh& mesh, int element) {
   const UvTangents uv = mesh.UvTangentsAt({}, {}, element);
   const Vector n = Cross(uv.first, uv.second);
@@ -55,7 +56,7 @@ TEST(ProjectedMesh, OfABoxShowsImagesUprightAndUnscaled) {
   EXPECT_GE(walls, 8);
 }
 
-// Nowhere mirrored: from a triangle's front, its corners turn the same way on the image.
+// Images are nowhere mirrored: from a triangle's front, its corners turn the same way on the image.
 TEST(ProjectedMesh, ImagesAreSeenTheRightWayRoundFromEveryFront) {
   const auto mesh = Mesh(WithoutUvs(*KindNamed("sphere").make(std::array{1.0, 2.0, 3.0, 4.0}))).Projected();
   ASSERT_GT(mesh->Elements(), 100);
@@ -64,12 +65,12 @@ TEST(ProjectedMesh, ImagesAreSeenTheRightWayRoundFromEveryFront) {
     const double turn = uv.gain_first.x * uv.gain_second.y - uv.gain_first.y * uv.gain_second.x;
     const Vector n = Abs(AsVector(NormalOf(*mesh, i)));
     const double area = Length(Cross(uv.first, uv.second));
-    // It is as large on the image as it looks along the axis that its normal is nearest to.
+    // Its size on the image is its projection along the axis that its normal is nearest to.
     EXPECT_NEAR(turn, area * MaxComponent(n), 1e-9 * area);
   }
 }
 
-/// A cube of eight corners, each shared by three sides, with normals and colors of their own.
+/// Makes a cube of eight corners, each shared by three sides, with separate normals and colors.
 MeshData Cube() {
   MeshData data;
   for (int i = 0; i < 8; ++i) {
@@ -105,7 +106,7 @@ TEST(ProjectedMesh, KeepsEveryCornerNormalAndColorWhereItWas) {
     }
 }
 
-/// A polygon that leans by `degrees` from facing +z towards facing +y.
+/// Makes a polygon tilted by `degrees` from +z towards +y.
 MeshData Leaning(double degrees) {
   const double angle = degrees * std::acos(-1.0) / 180, y = std::cos(angle), z = -std::sin(angle);
   MeshData data;

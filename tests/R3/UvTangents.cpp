@@ -12,7 +12,7 @@
 
 namespace {
 
-/// A shape that does not say how its texture coordinates run.
+/// A shape that does not define its tangents.
 class Silent : public R3::Shape {
  public:
   explicit Silent(const R3::Shape& shape) : shape_(shape) {}
@@ -30,7 +30,7 @@ class Silent : public R3::Shape {
   const R3::Shape& shape_;
 };
 
-/// How fast a coordinate rises over the surface, and where to: what both ways to describe it must agree about.
+/// The gradient of a coordinate over the surface, on which both descriptions must agree.
 R3::Vector Gradient(const R3::UvTangents& uv, const R3::Vector& n, double R2::Vector::*coordinate) {
   const R3::Vector sum =
       uv.gain_first.*coordinate * Cross(uv.second, n) + uv.gain_second.*coordinate * Cross(n, uv.first);
@@ -86,7 +86,7 @@ TEST(UvTangents, FoundByRaysBelongToThePartHit) {
   EXPECT_LT(Length(Gradient(uv, n, &R2::Vector::x) - R3::Vector{16, 0, -4} / 17), 1e-8);
 }
 
-// CONTRIBUTING promises that a new shape need not say it.
+// CONTRIBUTING promises that a new shape need not define them.
 TEST(UvTangents, AreFoundByRaysIfAShapeGivesNone) {
   for (const auto* kind : AllShapeKinds()) {
     const auto shape = kind->make(kind->example);
@@ -100,11 +100,11 @@ TEST(UvTangents, AreFoundByRaysIfAShapeGivesNone) {
       const auto hit = shape->Intersect(ray, 0);
       if (!hit) continue;
       const R3::Vector n = AsVector(shape->At(ray, *hit, 0).normal);
-      const R3::UvTangents told = shape->UvTangentsAt(ray, *hit, 0), found = silent.UvTangentsAt(ray, *hit, 0);
+      const R3::UvTangents derivatives = shape->UvTangentsAt(ray, *hit, 0), found = silent.UvTangentsAt(ray, *hit, 0);
       for (const auto coordinate : {&R2::Vector::x, &R2::Vector::y}) {
-        const R3::Vector right = Gradient(told, n, coordinate);
-        if (!(Length(right) < 2)) continue;  // beside a pole or an apex curves are as short as the steps
-        // One side alone is found beside an edge.
+        const R3::Vector right = Gradient(derivatives, n, coordinate);
+        if (!(Length(right) < 2)) continue;  // near a pole or an apex, curves are as short as the steps
+        // Next to an edge only one side is found.
         EXPECT_LT(Length(Gradient(found, n, coordinate) - right), 2e-4) << kind->name << ' ' << i;
         ++compared;
       }

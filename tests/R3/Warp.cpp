@@ -15,7 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int points = 1'000'000;
-constexpr int tests = 12;  // that share one chance of 1 % to fail although all is well
+constexpr int tests = 12;  // that share a chance of 1 % to fail although all is well
 constexpr double largest_random = 1 - 0x1p-53;
 constexpr double exponents[] = {0, 1, 10, 1000, 1e6};
 constexpr double cones[] = {1e-12, 0.25, 2};  // one minus the cosine
@@ -32,7 +32,7 @@ double Turns(double x, double y) {
   return turns < 0 ? turns + 1 : turns;
 }
 
-// 16 x 16 cells; `place` says where in the unit square a point lies, so that even points fill it evenly.
+// Uses 16 x 16 cells; `place` returns the position of a point in the unit square, so that even points fill it evenly.
 double OverQuantile(const std::function<R2::Point(const R2::Point&)>& place) {
   std::vector<double> counts(256);
   for (int i = 0; i < points; ++i) {
@@ -42,7 +42,8 @@ double OverQuantile(const std::function<R2::Point(const R2::Point&)>& place) {
   return chi_square::OverQuantile(counts, std::vector<double>(256, 1.0 / 256), 0.01 / tests);
 }
 
-// The share of the sphere's points whose cosine with +z is between two, by the midpoint rule over the pdf.
+// Returns the share of the sphere's points whose cosine with +z is between two values, by the midpoint rule over the
+// pdf.
 double Share(const std::function<double(double)>& pdf, double low, double high) {
   constexpr int steps = 20'000;
   double sum = 0;
@@ -67,14 +68,14 @@ TEST(Extremes, I3_TheDiscIsCoveredEvenly) {
 }
 
 TEST(Extremes, I3_TheTriangleIsCoveredEvenly) {
-  // 16 rows along the side opposite to corner 2 cut the triangle into 256 that are alike.
+  // 16 rows along the side opposite to corner 2 divide the triangle into 256 equal ones.
   std::vector<double> counts(256);
   for (int i = 0; i < points; ++i) {
     const auto barycentric = R3::SampleUniformTriangle(Random(i));
     const R2::Point p{barycentric[1], barycentric[2]};
     const int row = Slice(p.y, 16), column = Slice(p.x, 16);
     const bool is_upper = p.x * 16 - column + p.y * 16 - row > 1;
-    // A row of k upright triangles and k - 1 upside down ones: (16 - row) and (15 - row).
+    // A row of k upright triangles and k - 1 upside-down ones: (16 - row) and (15 - row).
     const int before = 256 - (16 - row) * (16 - row);
     ++counts[static_cast<std::size_t>(std::clamp(before + 2 * column + is_upper, 0, 255))];
   }
@@ -87,7 +88,7 @@ TEST(Extremes, I3_TheHemisphereIsCoveredByTheCosine) {
               return R2::Point{1 - d.z * d.z, Turns(d.x, d.y)};
             }),
             1);
-  // The stated pdf gives these rings equal shares as well.
+  // The stated pdf also gives these rings equal shares.
   for (int k = 0; k < 16; ++k)
     EXPECT_NEAR(Share(R3::CosineHemispherePdf, std::sqrt(k / 16.0), std::sqrt((k + 1) / 16.0)), 1.0 / 16, 1e-6);
   EXPECT_NEAR(Share(R3::CosineHemispherePdf, -1, 1), 1, 1e-4);
@@ -129,7 +130,7 @@ TEST(Extremes, I3_ConesAreCoveredEvenlyHoweverNarrow) {
   for (const double c : cones) {
     EXPECT_LT(OverQuantile([&](const R2::Point& u) {
                 const R3::Vector d = R3::SampleUniformCone(u, c);
-                // 1 - z, which has no digits left in a narrow cone, from the sine.
+                // 1 - z, which has no digits left in a narrow cone, computed from the sine.
                 const double square_of_sine = d.x * d.x + d.y * d.y;
                 const double height = d.z > 0 ? square_of_sine / (1 + d.z) : 1 - d.z;
                 return R2::Point{height / c, Turns(d.x, d.y)};

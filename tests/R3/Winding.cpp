@@ -21,7 +21,7 @@ R3::Vector AreaOf(const R3::MeshData& mesh, const Triangle& t) {
 
 void Turn(Triangle& t) { std::swap(t[1], t[2]); }
 
-/// A closed surface that is seen whole from the origin, its triangles wound outward, its normals radial.
+/// Makes a closed surface that is completely visible from the origin, with triangles wound outward and radial normals.
 R3::MeshData Ball() {
   R3::MeshData ball = accelerators::BumpyBall(12, 8);
   for (Triangle& t : ball.triangles)
@@ -30,7 +30,7 @@ R3::MeshData Ball() {
   return ball;
 }
 
-/// Whether each side of a triangle is that of one neighbor, run through the other way.
+/// Returns true if each side of a triangle belongs to exactly one neighbor, traversed the other way.
 bool IsClosed(const std::vector<Triangle>& triangles) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
   for (const Triangle& t : triangles)
@@ -65,7 +65,7 @@ TEST(Winding, OneTriangleAmongManyIsTurnedBack) {
 }
 
 // Half of a model, mirrored and welded to the other half.
-TEST(Winding, EachPartThatIsWoundAlikeDecidesForItself) {
+TEST(Winding, PartsOfEqualWindingAreJudgedSeparately) {
   R3::MeshData data = Ball();
   std::vector<std::uint32_t> left;
   for (std::uint32_t t = 0; t < data.triangles.size(); ++t) {
@@ -77,7 +77,7 @@ TEST(Winding, EachPartThatIsWoundAlikeDecidesForItself) {
   EXPECT_EQ(R3::TrianglesAgainstNormals(data), left);
 }
 
-// In creases blended normals point behind some triangles of good models. Turned around, they would be holes for what
+// In creases, blended normals point behind some triangles of good models. Flipped, they would be holes for code that
 // counts how often a ray of light enters and leaves.
 TEST(Winding, BackwardNormalsDoNotOpenAClosedSurface) {
   for (const bool is_mirrored : {false, true}) {
@@ -92,8 +92,8 @@ TEST(Winding, BackwardNormalsDoNotOpenAClosedSurface) {
   }
 }
 
-// Files repeat a position for each normal or texture coordinate that it has; the surface goes on there.
-TEST(Winding, ASurfaceGoesOnWherePositionsAreRepeated) {
+// Files repeat a position once per normal or texture coordinate; the surface continues there.
+TEST(Winding, ASurfaceContinuesAcrossRepeatedPositions) {
   const R3::MeshData whole = Ball();
   R3::MeshData apart;
   for (const Triangle& t : whole.triangles) {
@@ -109,7 +109,7 @@ TEST(Winding, ASurfaceGoesOnWherePositionsAreRepeated) {
 }
 
 TEST(Winding, SolidsThatTouchAlongAnEdgeAreTwo) {
-  // Tetrahedra to either side of the edge from corner 0 to corner 1, the second inside out, their triangles in turn.
+  // Tetrahedra on both sides of the edge from corner 0 to corner 1, the second inside out, with alternating triangles.
   R3::MeshData data;
   data.positions = {{0, 0, -1}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}, {-1, -1, 0}};
   data.triangles = {{0, 1, 2}, {1, 0, 5}, {1, 0, 3}, {0, 1, 4}, {0, 2, 3}, {0, 4, 5}, {1, 3, 2}, {1, 5, 4}};
@@ -123,14 +123,14 @@ TEST(Winding, SolidsThatTouchAlongAnEdgeAreTwo) {
   EXPECT_EQ(R3::TrianglesAgainstNormals(data), (std::vector<std::uint32_t>{1, 3, 5, 7}));
 }
 
-TEST(Winding, NormalsOfZeroHaveNoSay) {
+TEST(Winding, ZeroNormalsAreIgnored) {
   R3::MeshData data = Ball();
   for (Triangle& t : data.triangles) Turn(t);
   for (R3::Normal& normal : data.normals) normal = {};
   EXPECT_EQ(R3::TrianglesAgainstNormals(data), std::vector<std::uint32_t>{});
 }
 
-TEST(Winding, SizesBeyondTheRangeOfSquaresAreJudgedAlike) {
+TEST(Winding, SizesBeyondTheRangeOfSquaresAreJudgedEqually) {
   for (const double scale : {1e-300, 1e-150, 1e150}) {
     R3::MeshData data = Ball();
     for (Triangle& t : data.triangles) Turn(t);

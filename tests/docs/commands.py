@@ -26,7 +26,7 @@ SMALL = " -width 16 -height 12"
 NOT_HERE = {
     "make": "builds the tree",
     "script/setup.sh": "builds the tree",
-    "raypro scenes/hello.scn -width 512 -height 512 -advise": "Transcripts.AdviceOfTheDocsIsWhatIsPrinted runs it",
+    "raypro scenes/hello.scn -width 512 -height 512 -advise": "Transcripts.AdviceOfTheDocsIsTheProgramsOutput runs it",
     "script/wheel.sh": "tests/python/test_wheel.py runs it",
     "script/claims_table.sh": "renders for hours",
     "script/other_architecture.sh": "needs another compiler",

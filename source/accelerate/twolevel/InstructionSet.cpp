@@ -21,7 +21,7 @@ std::vector<std::string> InstructionSets() {
 }
 
 void WithInstructionSet(const std::string& name, void (*choose)(void* result), void* result) {
-  static std::mutex one_at_a_time;  // what Highway takes for supported is global
+  static std::mutex one_at_a_time;  // Highway's supported targets are global
   const std::lock_guard lock(one_at_a_time);
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     if (name != "best" && name != InstructionSetName(target)) continue;

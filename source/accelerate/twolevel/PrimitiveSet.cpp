@@ -8,10 +8,10 @@
 namespace ray {
 namespace {
 
-// Structures keep three bits of a number for themselves.
+// Structures use three bits of a number themselves.
 constexpr std::uint32_t most_primitives = std::uint32_t{1} << 29;
 
-/// Widened, and cut to what leaves room for sums of two: beyond it there are no hits either.
+/// Pads the box, and clips it so that sums of two coordinates stay in range: there are no hits beyond that.
 R3::Box Widened(const R3::Box& box, double padding) {
   constexpr double far = 0x1p1020;
   const auto low = [&](double x) { return x - padding > -far ? std::min(x - padding, far) : -far; };  // also of NaN
@@ -24,9 +24,9 @@ R3::Box Widened(const R3::Box& box, double padding) {
 PrimitiveSet::PrimitiveSet(const World& world) : world_(world) {
   for (std::uint32_t i = 0; i < world.Instances().size(); ++i) {
     const Instance& instance = world.Instances()[i];
-    if (instance.shape->IsDegenerate()) continue;  // nothing hits it
-    if (!instance.is_bounded) continue;            // asked beside
-    if (instance.is_repeated) continue;            // an earlier one wins
+    if (instance.shape->IsDegenerate()) continue;  // never hit
+    if (!instance.is_bounded) continue;            // tested separately
+    if (instance.is_repeated) continue;            // an earlier one hides it
     const bool is_whole = instance.shared != Instance::not_shared;
     Add(i, is_whole, is_whole ? 1 : static_cast<std::uint32_t>(instance.shape->Elements()));
     if (instance.frame != 0)
@@ -56,7 +56,7 @@ R3::Box PrimitiveSet::Bounds(std::uint32_t i) const {
   if (mesh_) return Widened(mesh_->Bounds(static_cast<int>(i)), 0);
   const PrimRef primitive = (*this)[i];
   const Instance& instance = world_.Instances()[primitive.instance];
-  // A shared shape is the node's own, and a primitive's node has no transform.
+  // A shared shape is the node's own, and the node of a primitive has no transform.
   const R3::Box local =
       primitive.element == PrimRef::whole ? instance.node->bounds : instance.shape->Bounds(primitive.element);
   if (instance.frame == 0) return Widened(local, 0);

@@ -10,7 +10,7 @@
 
 namespace ray {
 
-/// What a leaf of a structure refers to: an element of an instance, or a whole shared mesh with a structure of its own.
+/// The target of a leaf of a structure: an element of an instance, or a whole shared mesh with its own structure.
 struct PrimRef {
   static constexpr std::int32_t whole = -1;
 
@@ -18,28 +18,30 @@ struct PrimRef {
   std::int32_t element = whole;
 };
 
-/// A sphere with all that its test needs, to be copied to where traversal comes by.
+/// A sphere with all data that its test needs, stored in line with the traversal's memory.
 struct alignas(32) SphereLeaf {
   R3::SphereData sphere;
-  std::int64_t primitive = 0;  // as the world numbers them
+  std::int64_t primitive = 0;  // in the world's numbering
   std::uint32_t instance = 0;
 };
 
-/// Where a primitive is, more closely than by its Bounds.
+/// A tighter bound of a primitive than its Bounds.
 struct Hull {
-  R3::Box box;  // of its own frame
+  R3::Box box;  // in its own frame
   R3::Profile profile;
   const R3::Matrix* local_from_world;
-  double padding;  // in the world: by how much hits may lie outside, besides what grows with the distance of origins
+  double padding;  // of hits in the world, without the part that grows with the distance of ray origins
 };
 
-/// What one structure is built over: the world, or the inside of one shared mesh in that mesh's own frame. Its
-/// primitives are numbered from 0 in the order of their primitive ids.
+/// The primitives of one structure: the world, or the inside of one shared mesh in that mesh's own frame. They are
+/// numbered from 0 in the order of their primitive ids.
 class PrimitiveSet {
  public:
-  /// The world: each shared mesh is one primitive, everything else is there element by element.
+  /// Makes the set of the world, in which each shared mesh is one primitive; all other shapes contribute their
+  /// elements.
   explicit PrimitiveSet(const World& world);
-  /// The inside of world.SharedMeshes()[number]. The instance of its primitives is whichever is being looked into.
+  /// Makes the set of the inside of world.SharedMeshes()[number]. The instance of its primitives is the one being
+  /// traversed.
   PrimitiveSet(const World& world, int number);
 
   std::uint32_t Size() const { return size_; }
@@ -48,24 +50,24 @@ class PrimitiveSet {
     return {run.instance, run.is_whole ? PrimRef::whole : static_cast<std::int32_t>(i - run.first)};
   }
 
-  /// A box around every hit of the primitive by rays whose origin is the world's; a ray from farther away finds hits up
-  /// to PaddingPerDistance * (largest component of its origin in the world) outside. Finite.
+  /// Returns a box around every hit of the primitive by rays whose origin is the world's; rays from farther away find
+  /// hits up to PaddingPerDistance * (largest component of their origin in the world) outside. Finite.
   R3::Box Bounds(std::uint32_t i) const;
   double PaddingPerDistance() const { return padding_per_distance_; }
 
-  /// The hull of a primitive of the world.
+  /// Returns the hull of a primitive of the world.
   Hull HullOf(std::uint32_t i) const;
 
-  /// The mesh whose triangle the primitive is, if that lies in the set's own frame: what batches of triangle tests
-  /// can work on. Null for others.
+  /// Returns the mesh of a triangle in the set's own frame, which batches of triangle tests can process; null for other
+  /// primitives.
   const R3::Mesh* MeshOf(std::uint32_t i) const;
-  /// The sphere that the primitive is, if it is one in the set's own frame.
+  /// Returns the sphere if the primitive is one in the set's own frame.
   std::optional<SphereLeaf> SphereOf(std::uint32_t i) const;
 
   std::size_t Bytes() const { return runs_.size() * sizeof(Run) + run_of_.size() * sizeof(std::uint32_t); }
 
  private:
-  /// Primitives of one instance in a row.
+  /// Consecutive primitives of one instance.
   struct Run {
     std::uint32_t first = 0, instance = 0;
     bool is_whole = false;
@@ -80,9 +82,9 @@ class PrimitiveSet {
   }
 
   const World& world_;
-  const R3::Mesh* mesh_ = nullptr;  // of which this is the inside
+  const R3::Mesh* mesh_ = nullptr;  // the mesh of which this is the inside
   std::vector<Run> runs_;
-  std::vector<std::uint32_t> run_of_;  // only where runs are so short that searching would take longer
+  std::vector<std::uint32_t> run_of_;  // only if runs are so short that searching would take longer
   std::uint32_t size_ = 0;
   double padding_per_distance_ = 0;
 };

@@ -23,7 +23,7 @@ Coordinates FitCoordinates(const PrimitiveSet& primitives) {
   Coordinates fit;
   if (box.IsEmpty()) return fit;
   fit.center = box.Center();
-  // A point has no size; any scale does, as long as the center itself is resolved.
+  // A point has no size; any scale works that resolves the center itself.
   const double half = MaxComponent(Abs(box.Size())) / 2;
   const double size = std::max(half, 0x1p-40 * MaxComponent(Abs(FromOrigin(fit.center))));
   const int exponent = size > 0 ? std::ilogb(size) + 1 : 0;

@@ -11,62 +11,63 @@
 #include "source/accelerate/twolevel/PrimitiveSet.h"
 #include "source/text/Words.h"
 
-/// What structures that test eight triangles at a time have in common.
+/// Common parts of structures that test eight triangles at a time.
 namespace ray {
 
-inline constexpr int width = 8;  // triangles of a block, children of a wide node
+inline constexpr int width = 8;  // triangles per block, children per wide node
 
-/// Above these, and below 1 over them, products of doubles leave their range, and what is certain in a structure's
-/// coordinates need not be found in the scene's.
+/// The range of scales: above these, and below their inverses, products of doubles leave their range, and certainty in
+/// a structure's coordinates does not imply certainty in the scene's.
 inline constexpr double most_scale = 0x1p200, most_per_t = 0x1p700;
 
-/// Where a structure computes in single precision: at (p - center) * scale, so that all its boxes lie in [-1, 1] and
-/// floats resolve them equally well wherever and however large the scene is. The scale is a power of two.
+/// The coordinates in which a structure computes in single precision: (p - center) * scale, so that all its boxes lie
+/// in [-1, 1] and floats resolve them equally well wherever and however large the scene is. The scale is a power of
+/// two.
 struct Coordinates {
   R3::Point center;
   double scale = 1;
-  double largest_per_t = most_per_t;  // distance of a ray here per t; 0 where the scale is out of range
+  double largest_per_t = most_per_t;  // distance of a ray in these coordinates per t; 0 if the scale is out of range
 
   R3::Vector operator()(const R3::Point& p) const { return scale * (p - center); }
   R3::Point Back(const R3::Vector& v) const { return center + v / scale; }
 };
 Coordinates FitCoordinates(const PrimitiveSet& primitives);
 
-/// Up to eight triangles side by side. Missing ones have NaN corners, which no test accepts.
+/// Up to eight triangles in lanes. Missing ones have NaN corners, which no test accepts.
 struct alignas(32) TriangleBlock {
   float corner[3][width], edge1[3][width], edge2[3][width];  // corner 0, corner 1 - corner 0, corner 2 - corner 0
   std::uint32_t primitive[width];
   std::uint32_t positions[3]
                          [width];  // numbers of the corners in the mesh, so that the exact test need not wait for them
 };
-/// `count` of the primitives, all of them triangles in the set's own frame.
+/// Fills the block with `count` of the primitives, all of them triangles in the set's own frame.
 void FillBlock(TriangleBlock& block, const PrimitiveSet& primitives, const Coordinates& coordinates,
                const std::uint32_t* triangles, int count);
 
 /// Instancing: one structure over the world, and one over the inside of each shared mesh. A Structure has the members
 ///     PrimitiveSet primitives; Coordinates coordinates; std::size_t Bytes() const; std::string Explain() const;
 ///     int BoxLevels() const; std::vector<R3::Box> BoxesAt(int level) const;
-///     static constexpr bool meets_primitives_again;  // whether a ray often meets the same primitive twice in a row
+///     static constexpr bool meets_primitives_again;  // a ray often meets the same primitive twice in a row
 template <typename Structure>
 struct TwoLevel {
   const World* world = nullptr;
-  std::vector<Structure> structures;  // the world's first, then shared mesh i at i + 1
+  std::vector<Structure> structures;  // the world's first, then that of shared mesh i at i + 1
 };
 
-/// Traversal, compiled once for each instruction set; all find the same hits.
+/// The traversal functions, compiled once per instruction set; all find the same hits.
 template <typename Structure>
 struct Kernels {
-  std::int64_t instruction_set;  // as Highway numbers it
+  std::int64_t instruction_set;  // in Highway's numbering
   void (*nearest)(const TwoLevel<Structure>& two_level, const R3::Ray& ray, NearestHit& nearest, Counts& counts);
   bool (*any)(const TwoLevel<Structure>& two_level, const R3::Ray& ray, Counts& counts);
-  /// For packets of coherent rays; null where they go one by one all the same.
+  /// Packet versions for coherent rays; null if rays are traversed one at a time anyway.
   void (*nearest_packets)(const TwoLevel<Structure>& two_level, std::span<const R3::Ray> rays,
                           std::optional<WorldHit>* hits, Counts& counts) = nullptr;
-  void (*any_packets)(const TwoLevel<Structure>& two_level, std::span<const R3::Ray> rays, bool* are_occluded,
+  void (*any_packets)(const TwoLevel<Structure>& two_level, std::span<const R3::Ray> rays, bool* is_occluded,
                       Counts& counts) = nullptr;
 };
 
-/// An accelerator of such structures. `choose` as above stores a Kernels<Structure>.
+/// An accelerator with such structures. `choose`, as described above, stores a Kernels<Structure>.
 template <typename Structure>
 class TwoLevelAccelerator : public Accelerator {
  public:
@@ -110,19 +111,19 @@ class TwoLevelAccelerator : public Accelerator {
     return kernels_.any(two_level_, ray, workspace.counts);
   }
 
-  void NearestOfEach(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits,
+  void NearestBatch(std::span<const R3::Ray> rays, std::optional<WorldHit>* hits,
                      Workspace& workspace) const override {
     if (kernels_.nearest_packets)
       kernels_.nearest_packets(two_level_, rays, hits, workspace.counts);
     else
-      Accelerator::NearestOfEach(rays, hits, workspace);
+      Accelerator::NearestBatch(rays, hits, workspace);
   }
 
-  void AnyOfEach(std::span<const R3::Ray> rays, bool* are_occluded, Workspace& workspace) const override {
+  void AnyBatch(std::span<const R3::Ray> rays, bool* is_occluded, Workspace& workspace) const override {
     if (kernels_.any_packets)
-      kernels_.any_packets(two_level_, rays, are_occluded, workspace.counts);
+      kernels_.any_packets(two_level_, rays, is_occluded, workspace.counts);
     else
-      Accelerator::AnyOfEach(rays, are_occluded, workspace);
+      Accelerator::AnyBatch(rays, is_occluded, workspace);
   }
 
   Kernels<Structure> kernels_{};

@@ -17,13 +17,13 @@
 namespace ray::wide {
 namespace {
 
-/// A primitive's box while the tree is being built. The fourth floats hold the primitive's number and kind, as floats
-/// of usual size so that sums of all four lanes cost nothing more.
+/// A primitive's box while the tree is being built. The fourth floats contain the primitive's number and kind, as
+/// floats of usual size so that operations on all four lanes cost no more.
 struct Reference {
   Float4 low, high;
 
   Extent Box() const { return {low, high}; }
-  Float4 Middle() const { return low + high; }  // twice it
+  Float4 Middle() const { return low + high; }  // twice the center
   static constexpr std::uint32_t usual = 0x40000000;
   std::uint32_t Primitive() const { return std::bit_cast<std::uint32_t>(static_cast<float>(low[3])) ^ usual; }
   Child::Kind Kind() const { return static_cast<Child::Kind>(static_cast<std::uint32_t>(high[3])); }
@@ -31,15 +31,15 @@ struct Reference {
   static constexpr float AsFloat(Child::Kind kind) { return static_cast<float>(static_cast<std::uint32_t>(kind)); }
 };
 
-/// A row of references that share a subtree.
+/// A contiguous range of references that form a subtree.
 struct Range {
   std::uint32_t begin = 0, end = 0, triangles = 0, hulls = 0;
   Extent box, middles;
 
   std::uint32_t Size() const { return end - begin; }
-  /// Not all triangles, all hulls, or all others.
+  /// Returns true unless all are triangles, all hulls, or all others.
   bool IsMixed() const { return std::max({triangles, hulls, Size() - triangles - hulls}) < Size(); }
-  /// For a reference, by which the range grows or has grown.
+  /// Extends the range by a reference that it contains or will contain.
   void Extend(const Reference& r) {
     box.Extend(r.Box());
     middles.Extend(r.Middle());
@@ -50,7 +50,7 @@ struct Range {
 
 constexpr int most_bins = 32;
 
-/// What falls between two planes.
+/// The references between two planes.
 struct Bin {
   Extent box;
   std::uint64_t counts = 0;  // of triangles, and in the high half of others
@@ -64,7 +64,7 @@ struct Bin {
   std::uint32_t Others() const { return static_cast<std::uint32_t>(counts >> 32); }
 };
 
-/// Only the bins in use are set: most ranges are small and have few.
+/// The bins of a range. Only bins in use are initialized: most ranges are small and have few.
 struct Bins {
   int count;
   union {
@@ -80,7 +80,7 @@ struct Bins {
   }
 };
 
-/// Which bin a middle falls into, the same for every instruction set: one subtraction, one product.
+/// The bin of a center, identical for every instruction set: one subtraction, one product.
 struct Binning {
   Float4 low, scale;
   int count;
@@ -118,8 +118,8 @@ class Builder {
 
  private:
   static constexpr std::uint32_t parallel_from = 4096;  // smaller ranges are one task
-  // Deeper down the children of a node are about as many primitives each, so that a dozen more levels hold 2^29,
-  // whatever the scene.
+  // Below this depth the children of a node have about equal numbers of primitives, so that a dozen more levels hold
+  // 2^29 of them, whatever the scene.
   static constexpr int sah_depth = 40;
 
   Range Collect() {
@@ -163,10 +163,10 @@ class Builder {
   bool IsLeaf(const Range& r) const {
     return r.Size() == 1 || (!r.IsMixed() && r.Size() <= (r.triangles > 0 ? leaf_ : MostOf(KindOf(r))));
   }
-  /// The kind of the first primitive, and so of all in a range that is not mixed.
+  /// Returns the kind of the first primitive, which is that of all in a range that is not mixed.
   Child::Kind KindOf(const Range& r) const { return references_[r.begin].Kind(); }
 
-  /// How much it costs to test everything in a range, in block tests.
+  /// Returns the cost of testing everything in a range, in block tests.
   float Tests(std::uint32_t triangles, std::uint32_t others) const {
     constexpr float price_of_other = 2;
     return static_cast<float>((triangles + leaf_ - 1) / leaf_) + price_of_other * static_cast<float>(others);
@@ -184,30 +184,31 @@ class Builder {
     }
     BuildNode* node = &nodes_.local().emplace_back();
     tbb::task_group tasks;
-    bool are_tasks = false;
+    bool has_tasks = false;
     for (std::size_t i = 0; i < children; ++i) {
       const Range& r = ranges[i];
       node->Add(IsLeaf(r) ? Leaf(r) : BuildChild{.box = r.box});
       if (IsLeaf(r)) continue;
       const BuildNode*& below = node->children[i].below;
       if (r.Size() >= parallel_from) {
-        are_tasks = true;
+        has_tasks = true;
         tasks.run([this, &r, &below, depth] { below = BuildNodeOf(r, depth + 1); });
       } else {
         below = BuildNodeOf(r, depth + 1);
       }
     }
-    if (are_tasks) tasks.wait();
+    if (has_tasks) tasks.wait();
     return node;
   }
 
-  /// The largest box is the one most rays would go through. Of boxes nearly alike, and of all deep down, the one that
-  /// holds most comes first, so that the children of a node hold about as much.
+  /// Returns true if `a` is to be split before `b`: the one with the larger box, through which more rays pass. If boxes
+  /// have nearly equal areas, and at great depth, the one with more primitives comes first, so that the children of a
+  /// node become equally large.
   static bool IsSplitBefore(const Range& a, const Range& b, int depth) {
     constexpr float alike = 1 - 1.0f / 64;
     const float area = a.box.HalfArea(), other = b.box.HalfArea();
-    const bool are_alike = std::min(area, other) >= alike * std::max(area, other);
-    return depth < sah_depth && !are_alike ? area > other : a.Size() > b.Size();
+    const bool is_alike = std::min(area, other) >= alike * std::max(area, other);
+    return depth < sah_depth && !is_alike ? area > other : a.Size() > b.Size();
   }
 
   BuildChild Leaf(const Range& range) const {
@@ -216,7 +217,7 @@ class Builder {
     return leaf;
   }
 
-  /// Splits `whole` in two; it becomes the first of them.
+  /// Splits `whole` in two; it becomes the first half.
   void Halve(Range& whole, Range& second, int depth) {
     const std::uint32_t size = whole.Size();
     const Binning binning(whole.middles, size < 128 ? most_bins / 2 : most_bins);
@@ -240,7 +241,7 @@ class Builder {
     if (whole.Size() < 4 * chunk) {
       FillBins(bins, binning, whole.begin, whole.end);
     } else {
-      // Minima and whole numbers: the sum does not depend on who adds what first.
+      // Minima and integers: the sum does not depend on the order of addition.
       bins = tbb::parallel_reduce(
           tbb::blocked_range<std::uint32_t>(whole.begin, whole.end, chunk), Bins(binning.count),
           [&](const auto& r, Bins sum) {
@@ -272,7 +273,7 @@ class Builder {
     return best;
   }
 
-  /// The references whose middle falls below the split come first. False if that would leave a side empty.
+  /// Moves the references whose center is below the split to the front. Returns false if that would leave a side empty.
   bool Partition(Range& whole, Range& second, const Binning& binning, const Split& split) {
     const std::uint32_t begin = whole.begin, end = whole.end;
     Range first, rest;
@@ -293,8 +294,8 @@ class Builder {
     return true;
   }
 
-  /// Middles that coincide, or a tree too deep: as many primitives here as there; of a mixed range those of
-  /// one kind here.
+  /// Splits a range with coinciding centers, or in a tree that is too deep, into halves of equal size; a mixed range is
+  /// split by kind.
   void HalveByNumber(Range& whole, Range& second) {
     const std::uint32_t begin = whole.begin, end = whole.end;
     int axis = 0;
@@ -302,12 +303,12 @@ class Builder {
     for (int a = 1; a < 3; ++a)
       if (size[a] > size[axis]) axis = a;
     std::uint32_t middle = begin + whole.Size() / 2;
-    const bool are_mixed = whole.IsMixed();
+    const bool is_mixed = whole.IsMixed();
     const Child::Kind first_kind = whole.triangles > 0 ? Child::Kind::triangles : Child::Kind::hulls;
-    if (are_mixed) middle = begin + (whole.triangles > 0 ? whole.triangles : whole.hulls);
+    if (is_mixed) middle = begin + (whole.triangles > 0 ? whole.triangles : whole.hulls);
     std::nth_element(references_.Data() + begin, references_.Data() + middle, references_.Data() + end,
                      [&](const Reference& a, const Reference& b) {
-                       if (are_mixed && a.IsOf(first_kind) != b.IsOf(first_kind)) return a.IsOf(first_kind);
+                       if (is_mixed && a.IsOf(first_kind) != b.IsOf(first_kind)) return a.IsOf(first_kind);
                        const float x = a.Middle()[axis], y = b.Middle()[axis];
                        return x != y ? x < y : a.Primitive() < b.Primitive();
                      });
@@ -325,7 +326,7 @@ class Builder {
   Tree& tree_;
   std::uint32_t leaf_;
   HugeArray<Reference> references_;
-  tbb::enumerable_thread_specific<std::deque<BuildNode>> nodes_;  // a deque keeps its elements in place
+  tbb::enumerable_thread_specific<std::deque<BuildNode>> nodes_;  // a deque does not move its elements
 };
 
 }  // namespace

@@ -9,14 +9,14 @@ Float4 Floats(const R3::Vector& v) {
   return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
 }
 
-/// The box of what is left of a triangle inside the cell; false when nothing is.
+/// Computes the box of the part of a triangle inside the cell; returns false if it is empty.
 bool ClippedBounds(const R3::Box& cell, const std::array<R3::Vector, 3>& corners, Extent& box) {
   std::array<R3::Vector, 9> polygon{corners[0], corners[1], corners[2]}, cut;
   std::size_t count = 3;
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0}) {
       const R3::Vector end = FromOrigin(side < 0 ? cell.low : cell.high);
-      const auto inside = [&](const R3::Vector& p) { return side * (end[axis] - p[axis]); };  // by how much
+      const auto inside = [&](const R3::Vector& p) { return side * (end[axis] - p[axis]); };  // signed distance
       std::size_t kept = 0;
       for (std::size_t i = 0; i < count; ++i) {
         const R3::Vector &a = polygon[i], &b = polygon[(i + 1) % count];

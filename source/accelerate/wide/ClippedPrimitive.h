@@ -8,37 +8,37 @@
 
 #include "source/accelerate/wide/Layout.h"
 
-/// What structures that cut space into cells have in common.
+/// Common parts of structures that divide space into cells.
 namespace ray::wide {
 
-/// The part of a primitive that lies in a cell.
+/// The part of a primitive inside a cell.
 struct ClippedPrimitive {
   Extent box;  // within box_rounding
   std::uint32_t primitive = 0;
-  Child::Kind kind = Child::Kind::triangles;  // of leaves that it may be in
+  Child::Kind kind = Child::Kind::triangles;  // the kind of leaf that it may be in
 };
 using ClippedPrimitives = std::vector<ClippedPrimitive>;
 
-/// Bound on the rounding of coordinates, about 1 at most, to floats, and of cutting, several times over. Cells need not
-/// be smaller.
+/// A bound on the rounding of coordinates, about 1 at most, to floats, and of clipping, several times over. Cells need
+/// not be smaller.
 inline constexpr float box_rounding = 0x1p-22f;
 
-/// All of a primitive.
+/// Returns a whole primitive.
 ClippedPrimitive Unclipped(const Tree& tree, std::uint32_t primitive);
 
-/// Clips it further to a cell, in the tree's coordinates: its box shrinks to what of it lies inside. False when nothing
-/// does.
+/// Clips a primitive further to a cell, in the tree's coordinates: its box shrinks to the part inside. Returns false if
+/// that is empty.
 ///   source  Sutherland, Hodgman, Reentrant polygon clipping (1974)
 bool ClipTo(const R3::Box& cell, const Tree& tree, ClippedPrimitive& clipped);
 
-/// Makes subtrees of what lies in cells, in parallel: where it fits, one leaf; otherwise nodes of leaves of primitives
-/// that lie next to each other along the longest side of it all.
+/// A builder of the subtrees for the contents of cells, in parallel: one leaf if they fit, otherwise nodes whose leaves
+/// contain neighbors along the longest side of the whole.
 class SubtreeBuilder {
  public:
-  /// Reorders the primitives. Of none it makes an empty child.
+  /// Builds a subtree, reordering the primitives; an empty child if there are none.
   BuildChild Build(std::span<ClippedPrimitive> primitives);
 
-  /// For nodes; stays where it is.
+  /// Allocates a node, which is never moved.
   BuildNode& NewNode() { return nodes_.local().emplace_back(); }
 
  private:

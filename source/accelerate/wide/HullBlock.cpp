@@ -8,21 +8,21 @@
 namespace ray::wide {
 namespace {
 
-/// From the structure's coordinates into those of a hull.
+/// The map from the structure's coordinates to those of a hull.
 struct HullMap {
   std::array<R3::Vector, 3> turn{};
   std::array<double, 3> shift{};
-  double norm = 0;  // the largest sum of magnitudes of a row of both, with what rounding in double precision adds
+  double norm = 0;  // the largest row sum of magnitudes of both, including rounding in double precision
   bool is_as_high_as_the_box = true;
 };
 
-/// No side of a hull is shorter than this in a structure's coordinates, so that numbers stay in the range of floats: a
-/// flat one is made so thick.
+/// The minimum side of a hull in a structure's coordinates, which keeps numbers in the range of floats; flat hulls are
+/// thickened to it.
 constexpr double thinnest = 0x1p-20;
 
 HullMap MapTo(const R3::Box& box, const R3::Matrix& local_from_world, const Coordinates& coordinates) {
-  // A difference in double precision may be off by 2^-50 of the numbers that cancel. That is less than what single
-  // precision, whose unit is 2^-24, loses of this share of them.
+  // A difference in double precision may be off by 2^-50 of the numbers that cancel. That is less than the rounding of
+  // single precision, whose unit is 2^-24, for this share of them.
   constexpr double share_of_cancelling = 0x1p-26;
   HullMap map;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -42,7 +42,7 @@ HullMap MapTo(const R3::Box& box, const R3::Matrix& local_from_world, const Coor
   return map;
 }
 
-/// The volume of where all coordinates are in [-1, 1], in the structure's.
+/// Returns the volume, in the structure's coordinates, of the cube where all hull coordinates are in [-1, 1].
 double VolumeOf(const HullMap& map) { return 8 / std::abs(Dot(map.turn[0], Cross(map.turn[1], map.turn[2]))); }
 
 double VolumeOf(const R3::Box& box, const Coordinates& coordinates) {
@@ -55,14 +55,14 @@ void FillHull(HullBlock& block, int k, const Hull& hull, const Coordinates& coor
   const HullMap map = MapTo(hull.box, *hull.local_from_world, coordinates);
   const double margin = map.norm * hull.padding * coordinates.scale;
   constexpr double most_norm = 0x1p60, most_margin = 0x1p60;
-  // Else single precision knows nothing of where it is: an endless margin takes all rays.
+  // Otherwise single precision does not resolve its position: an infinite margin accepts all rays.
   const bool is_known = map.norm <= most_norm && margin <= most_margin;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j)
       block.turn[i][j][k] = is_known ? static_cast<float>(map.turn[i][static_cast<int>(j)]) : 0;
     block.shift[i][k] = is_known ? static_cast<float>(map.shift[i]) : 0;
   }
-  // What is higher than the box of a tapered shape is no longer as wide where it was widest.
+  // Beyond the ends of its box, a tapered profile no longer bounds the shape.
   const R3::Profile& profile = hull.profile;
   const bool is_tapered = map.is_as_high_as_the_box;
   block.radius[k] = static_cast<float>(is_tapered ? profile.radius : profile.radius + std::abs(profile.taper));
@@ -76,8 +76,9 @@ void FillHull(HullBlock& block, int k, const Hull& hull, const Coordinates& coor
 }  // namespace
 
 bool IsHullTighter(const PrimitiveSet& primitives, const Coordinates& coordinates, std::uint32_t primitive) {
-  // What is not turned is slower by its hull, even a cone, which fills a quarter of its box (1.1 to 1.4 times as slow
-  // among 40 or 400), what is turned at random faster (build/bench/solids): somewhere in between.
+  // Hulls are slower for primitives that are not rotated, even for a cone, which fills a quarter of its box (1.1 to 1.4
+  // times as slow among 40 or 400), and faster for randomly rotated ones (build/bench/solids). The threshold is in
+  // between.
   constexpr double tight = 0.5;
   const Hull hull = primitives.HullOf(primitive);
   const double volume = VolumeOf(MapTo(hull.box, *hull.local_from_world, coordinates));

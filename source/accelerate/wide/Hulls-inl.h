@@ -1,5 +1,5 @@
-// Hulls of primitives against rays in single precision, many at once: which are certainly missed. Included once for
-// each instruction set.
+// Tests of rays against hulls of primitives in single precision, many at once, which find the certain misses. Included
+// once per instruction set.
 
 #if defined(RAY_ACCELERATE_WIDE_HULLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAY_ACCELERATE_WIDE_HULLS_INL_H_
@@ -12,32 +12,32 @@
 #include "source/accelerate/wide/Triangles-inl.h"
 
 // A ray o + t d is M o + m + t M d in a hull's coordinates, where the hull's box is [-1, 1]^3. With u and r as in
-// TraversalRay-inl.h, and N the largest sum of magnitudes of a row of M and m, which is 1 at least since no box is
+// TraversalRay-inl.h, and N the largest sum of magnitudes of a row of M and m, which is at least 1 since no box is
 // larger than the structure's:
 //   - M and m are off by u of themselves and o by u r, and a product and three sums, fused or not, round by 4 u r N at
 //     most: M o + m is off by 6 u r N. The components of d are 2 at most, so M d is off by 12 u N; and a ray is in the
-//     box at a t of at most r alone, since some component of d is 1 at least: 12 u r N of the place there.
-//   - Where the ray crosses the planes of the box is off by 8 u r N in terms of where they are, for a division, a
-//     product and a sum; and the way between, P + s D with s from 0 to 1, by 4 u r N.
-// So with planes moved outward by e = 32 u r N = 4 N plane errors, and by what double precision loses on the way to the
-// primitive, each point of it that the ray meets lies on P + s D, all coordinates within e. Of them the profile's
+//     box only at a t of at most r, since some component of d is at least 1: 12 u r N of the position there.
+//   - The crossings with the planes of the box are off by 8 u r N in terms of the planes' positions, for a division, a
+//     product and a sum; and the segment between them, P + s D with s from 0 to 1, by 4 u r N.
+// So with planes moved outward by e = 32 u r N = 4 N plane errors, plus the loss of double precision on the way to the
+// primitive, each point of it that the ray meets lies on P + s D, all coordinates within e. The profile's
 //     Q = x^2 + z^2 + bulge y^2 - (radius + taper y)^2,
-// at most 0 there, is off by 8 e + 8 e^2, and by some 200 u < 7 e for rounding, since |P| <= 1 + e and |D| <= 2 + 2 e
-// in each. Q is quadratic in s: a ray misses for certain if the least that it comes to, which errors of its
-// coefficients move by no more than themselves, is above 16 e (1 + e).
+// at most 0 there, is off by 8 e + 8 e^2 for that, and by some 200 u < 7 e for rounding, since |P| <= 1 + e and |D| <=
+// 2 + 2 e in each. Q is quadratic in s: a ray certainly misses if its minimum, which errors of its coefficients move by
+// no more than themselves, is above 16 e (1 + e).
 HWY_BEFORE_NAMESPACE();
 namespace ray {
 namespace HWY_NAMESPACE {
 
 using wide::HullBlock;
 
-/// Hulls in lanes, one each or all the same.
+/// Hulls in SIMD lanes: one per lane, or a single hull broadcast to all lanes.
 template <typename D>
 struct HullLanes {
   using V = hn::Vec<D>;
   V turn[3][3], shift[3], radius, taper, bulge, stretch, margin;
 
-  /// `get` makes the lanes of the numbers of all hulls.
+  /// Loads the lanes; `get` makes a vector of the numbers of all hulls.
   template <typename Get>
   HWY_INLINE HullLanes(const HullBlock& block, const Get& get)
       : turn{{get(block.turn[0][0]), get(block.turn[0][1]), get(block.turn[0][2])},
@@ -51,14 +51,14 @@ struct HullLanes {
         margin(get(block.margin)) {}
 };
 
-/// Rays in lanes, for hulls.
+/// Rays in SIMD lanes, for hull tests.
 template <typename D>
 struct HullRays {
   using V = hn::Vec<D>;
   V origin[3], direction[3], plane_error, limit;
 };
 
-/// The least of c + 2 b s + a s^2 for s from 0 to 1.
+/// Returns the minimum of c + 2 b s + a s^2 for s from 0 to 1.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE V LeastOfQuadratic(D d, V a, V b, V c) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1);
@@ -68,7 +68,8 @@ HWY_INLINE V LeastOfQuadratic(D d, V a, V b, V c) {
   return hn::MulAdd(s, hn::MulAdd(s, a, hn::Add(b, b)), c);
 }
 
-/// Which lanes their ray does not certainly miss before its limit, and where it enters them at the earliest.
+/// Returns the lanes in which the ray does not certainly miss the hull before its limit, and a lower bound on its
+/// entry.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE auto TestHullLanes(D d, const HullLanes<D>& hull, const HullRays<D>& ray, V& entry) {
   const auto set = [&](float x) { return hn::Set(d, x); };
@@ -103,8 +104,8 @@ HWY_INLINE auto TestHullLanes(D d, const HullLanes<D>& hull, const HullRays<D>& 
   return hn::Not(hn::Or(is_beside_box, hn::Gt(least, slack)));
 }
 
-/// One ray, a TraversalRay or one of a packet, against the hulls of a block: those to be tested, as bits, and where it
-/// enters them.
+/// Tests one ray, a TraversalRay or one of a packet, against the hulls of a block: returns those to be tested, as bits,
+/// and where it enters them.
 template <typename RayInBoxes>
 HWY_INLINE std::uint32_t TestHulls(const HullBlock& block, const RayInBoxes& ray, float limit,
                                    float* HWY_RESTRICT entries) {

@@ -1,7 +1,7 @@
 #include "R1/Targets.h"
 #include "source/accelerate/wide/Kernels.h"
 
-// Highway compiles this file once for each instruction set. What does not depend on that is included before.
+// Highway compiles this file once per instruction set. Everything independent of that is included before.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "source/accelerate/wide/Kernels.cpp"
 #include <hwy/foreach_target.h>

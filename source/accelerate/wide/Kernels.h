@@ -4,7 +4,7 @@
 
 namespace ray::wide {
 
-/// The search through trees of boxes, however they were built, for WithInstructionSet: stores a Kernels<Tree>.
+/// Stores a Kernels<Tree>, the search through trees of boxes, however they were built. For WithInstructionSet.
 void ChooseKernels(void* kernels);
 
 }  // namespace ray::wide

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t units_of_node = sizeof(Node) / unit, units_of_block = sizeof(TriangleBlock) / unit;
 constexpr std::uint32_t units_of_sphere = sizeof(SphereLeaf) / unit, units_of_hulls = sizeof(HullBlock) / unit;
 constexpr std::uint32_t most_units = (std::uint32_t{1} << Child::kind_shift) - 64;
-constexpr std::size_t own_cache = std::size_t{1} << 22;  // of a core, about
+constexpr std::size_t own_cache = std::size_t{1} << 22;  // approximate private cache of a core
 
 struct NodeAt {
   const BuildNode* node;
@@ -28,7 +28,7 @@ struct LeafAt {
   std::uint32_t first_unit;
 };
 
-/// Gives nodes and leaves their units of memory, one child and what is below it after the other.
+/// Assigns memory units to nodes and leaves, depth-first.
 class LayoutPass {
  public:
   explicit LayoutPass(Tree& tree) : tree_(tree) {}

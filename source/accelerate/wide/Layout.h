@@ -8,10 +8,10 @@
 
 #include "source/accelerate/wide/Tree.h"
 
-/// A tree while it is being built, and how it is laid out in memory.
+/// A tree under construction, and its layout in memory.
 namespace ray::wide {
 
-// Four numbers at once, as both compilers know them; the fourth is padding.
+// Four numbers in a vector type of both compilers; the fourth is padding.
 using Float4 = float __attribute__((vector_size(16)));
 using Whole4 = std::int32_t __attribute__((vector_size(16)));
 
@@ -34,13 +34,13 @@ struct Extent {
 
 struct BuildNode;
 
-/// The kind of leaf for a primitive of a tree that has its coordinates, and the most of them that such a leaf holds.
+/// Returns the kind of leaf for a primitive of a tree with coordinates. MostOf returns the capacity of such a leaf.
 Child::Kind LeafKindOf(const Tree& tree, std::uint32_t primitive);
 inline std::uint32_t MostOf(Child::Kind leaf) {
   return leaf == Child::Kind::triangles || leaf == Child::Kind::hulls ? width : 1;
 }
 
-/// A child: a node below, or a leaf of one or more primitives of a kind.
+/// A child: a node below, or a leaf of one or more primitives of one kind.
 struct BuildChild {
   Extent box;
   const BuildNode* below = nullptr;
@@ -51,7 +51,7 @@ struct BuildChild {
   bool IsEmpty() const { return box.low[0] > box.high[0]; }
 };
 
-/// A node before it is laid out in memory.
+/// A node before its layout in memory.
 struct BuildNode {
   int count = 0;
   std::array<BuildChild, width> children;
@@ -66,9 +66,9 @@ inline BuildChild ChildOf(const BuildNode& node) {
   return child;
 }
 
-/// Fills the tree, which has its primitives and coordinates, from these children and what is below them: depth first,
-/// each node followed by its blocks. Returns what each has become. Throws std::length_error when it would be too large
-/// or too deep.
+/// Fills the tree, whose primitives and coordinates are set, from the given children and their subtrees: depth-first,
+/// each node followed by its blocks. Returns the final children. Throws std::length_error if the tree would be too
+/// large or too deep.
 std::vector<std::uint32_t> Flatten(std::span<const BuildChild> roots, Tree& tree);
 
 }  // namespace ray::wide

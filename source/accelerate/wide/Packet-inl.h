@@ -1,4 +1,4 @@
-// Packets of coherent rays through a wide tree: included once for each instruction set.
+// Packets of coherent rays through a wide tree. Included once per instruction set.
 
 #if defined(RAY_ACCELERATE_WIDE_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAY_ACCELERATE_WIDE_PACKET_INL_H_
@@ -21,28 +21,28 @@ using PacketFloats = hn::CappedTag<float, packet_size>;
 using PacketDoubles = hn::CappedTag<double, packet_size>;
 using PacketIds = hn::CappedTag<std::int64_t, packet_size>;
 
-/// One number of each ray.
+/// One number per ray.
 using FloatEach = float[packet_size];
 using DoubleEach = double[packet_size];
 using IdEach = std::int64_t[packet_size];
 
-/// The traversal rays of a packet side by side, and what encloses them all.
+/// The traversal rays of a packet in lanes, and their common bounds.
 struct Packet {
   alignas(64) FloatEach origin[3], direction[3], inverse[3], near_shift[3], far_shift[3];
   alignas(64) FloatEach plane_error, certain_from, edge_error, height_error;
-  alignas(64) FloatEach limit;  // below 0 for a ray that wants nothing any more
+  alignas(64) FloatEach limit;  // below 0 for a ray that is finished
   alignas(64) DoubleEach per_t;
-  // Primitives, as the world numbers them, that rays start and end on and do not meet; -1 for none.
+  // The primitives, in the world's numbering, on which rays start and end and which they do not meet; -1 for none.
   alignas(64) IdEach start_on, end_on;
-  // Bounds over all rays, rounded outward: of where they begin, the side that is farther from near planes first, and of
-  // their inverse directions; and where in Node::planes the near planes begin.
+  // Bounds over all rays, rounded outward: of their origins, the side farther from the near planes first, and of their
+  // inverse directions; and the start of the near planes in Node::planes.
   float back[3], front[3], least_inverse[3], most_inverse[3];
   std::uint32_t planes[3];
 
   float Distance(int i, double t) const { return static_cast<float>(t * per_t[i]) * rounded_up + plane_error[i]; }
 
-  /// TraversalRay's computations, for all rays at once. False when one of them is out of the ordinary: then they have
-  /// to be made ready one by one.
+  /// Performs TraversalRay's computations for all rays at once. Returns false if one of them is unusual: then they must
+  /// be prepared one at a time.
   HWY_INLINE bool Begin(const Coordinates& coordinates, double padding_per_distance, std::span<const R3::Ray> rays) {
     SceneRays from;
     Load(rays, from);
@@ -56,8 +56,8 @@ struct Packet {
     return true;
   }
 
-  /// Finds what encloses all rays. False when one of them looks into another octant than the rest: then they go one by
-  /// one.
+  /// Computes the bounds over all rays. Returns false if one of them points to another octant: then they are traced one
+  /// at a time.
   HWY_INLINE bool Enclose() {
     const PacketFloats f;
     for (int axis = 0; axis < 3; ++axis) {
@@ -84,7 +84,7 @@ struct Packet {
     return true;
   }
 
-  /// Which rays start or end on a primitive and do not meet it, as bits.
+  /// Returns the rays, as bits, that start or end on a primitive and do not meet it.
   HWY_INLINE std::uint32_t StartOrEndOn(std::int64_t primitive) const {
     const PacketIds d;
     const auto it = hn::Set(d, primitive);
@@ -101,9 +101,10 @@ struct Packet {
     return hn::GetLane(hn::MaxOfLanes(f, most));
   }
 
-  /// Which children of a node some ray may enter before `before`, as bits; and where at the earliest. Bounds of
-  /// intervals: (plane - origin) / direction for all origins and directions of the packet. Its rounding, 1/2 u for the
-  /// plane, u r for origin and difference and 3 u r for the product, is within each ray's error bound.
+  /// Returns the children of a node, as bits, that some ray may enter before `before`, with lower bounds on the
+  /// entries. Uses interval bounds of (plane - origin) / direction for all origins and directions of the packet. Their
+  /// rounding, 1/2 u for the plane, u r for origin and difference and 3 u r for the product, is within each ray's error
+  /// bound.
   HWY_INLINE std::uint32_t Test(const Node& node, float before, float* HWY_RESTRICT entries) const {
     const Lanes lanes;
     std::uint32_t reached = 0;
@@ -124,8 +125,8 @@ struct Packet {
     return reached;
   }
 
-  /// Which rays enter a child of a node before their limits, as bits. Those of a coherent packet all have the same near
-  /// planes.
+  /// Returns the rays, as bits, that enter a child of a node before their limits. All rays of a coherent packet have
+  /// the same near planes.
   template <bool coherent>
   HWY_INLINE std::uint32_t RaysThrough(const Node& node, int child) const {
     const PacketFloats f;
@@ -154,11 +155,11 @@ struct Packet {
     alignas(64) DoubleEach origin[3], direction[3], t_min, t_max;
     bool all_depart = true;
 
-    /// No t_min is less; and none is above 0, since all rays begin at once.
+    /// Returns the lower bound of t_min; none is above 0, since all rays begin at once.
     double LeastTMin() const { return all_depart ? -std::numeric_limits<double>::infinity() : 0; }
   };
 
-  /// Lanes without a ray repeat the last one.
+  /// Loads the rays; lanes without a ray repeat the last one.
   HWY_INLINE void Load(std::span<const R3::Ray> rays, SceneRays& from) {
     for (std::size_t i = 0; i < packet_size; ++i) {
       const R3::Ray& ray = rays[std::min(i, rays.size() - 1)];
@@ -171,10 +172,10 @@ struct Packet {
     }
   }
 
-  /// The rays from number i on that fill the lanes; false when one of them is out of the ordinary.
+  /// Prepares the rays that fill the lanes, starting with number i; returns false if one of them is unusual.
   HWY_INLINE bool BeginLanes(const Coordinates& coordinates, double padding_per_distance, SceneRays& from,
                              std::size_t i) {
-    constexpr double most_heading = 0x1p400;  // so that per_t is in range
+    constexpr double most_heading = 0x1p400;  // keeps per_t in range
     static_assert(2 * most_heading * most_scale < most_per_t);
     const PacketDoubles d;
     const hn::RebindToUnsigned<PacketDoubles> bits;
@@ -212,12 +213,12 @@ struct Packet {
     const auto begin_at_once = hn::And(hn::Ge(t_min, hn::Set(d, from.LeastTMin())), hn::Le(t_min, hn::Zero(d)));
     const auto head_somewhere =
         hn::And(hn::Lt(steepest, hn::Set(d, most_heading)), hn::Gt(steepest, hn::Set(d, 1 / most_heading)));
-    const auto are_near =
+    const auto is_near =
         hn::And(hn::Le(far, hn::Add(hn::Set(d, near_enough), padding)), hn::Lt(reach, hn::Set(d, most_reach)));
-    // Maxima may lose what is no number, and sums do not; infinite numbers are out of range above.
+    // Maxima may lose NaN, but sums do not; infinite numbers are out of range above.
     const auto numbers = hn::Add(sum(from.origin), sum(from.direction));
-    const auto are_rays = hn::And(hn::Eq(numbers, numbers), hn::Lt(t_min, t_max));
-    return hn::AllTrue(d, hn::And(hn::And(begin_at_once, are_rays), hn::And(head_somewhere, are_near)));
+    const auto is_ray = hn::And(hn::Eq(numbers, numbers), hn::Lt(t_min, t_max));
+    return hn::AllTrue(d, hn::And(hn::And(begin_at_once, is_ray), hn::And(head_somewhere, is_near)));
   }
 
   template <typename V>
@@ -244,7 +245,7 @@ struct Packet {
   }
 };
 
-/// One ray of a packet as a TraversalRay, where it lies.
+/// One ray of a packet with the interface of a TraversalRay, read in place.
 struct PacketRay {
   struct Each {
     const FloatEach* each;

@@ -1,4 +1,4 @@
-// Triangles in double precision, one for each ray of a packet: included once for each instruction set.
+// Triangle tests in double precision, one for each ray of a packet. Included once per instruction set.
 
 #if defined(RAY_ACCELERATE_WIDE_PACKET_EXACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAY_ACCELERATE_WIDE_PACKET_EXACT_INL_H_
@@ -14,17 +14,17 @@ HWY_BEFORE_NAMESPACE();
 namespace ray {
 namespace HWY_NAMESPACE {
 
-/// Which of the tests of ExactTriangleLanes found what, as bits.
+/// The results of the tests of ExactTriangleLanes, as bits.
 struct ExactMask {
   std::uint32_t hit = 0;
-  std::uint32_t unsure = 0;  // areas leave the range of doubles or are 0: to be tested one by one
+  std::uint32_t unsure = 0;  // areas leave the range of doubles or are 0: to be tested one at a time
 };
 
-/// R3::IntersectTriangleInline for several rays, each with a triangle of its own: the same operations in the same
-/// order, and so the same bits.
+/// R3::IntersectTriangleInline for several rays, each with a separate triangle: the same operations in the same order,
+/// and therefore the same bits.
 class ExactTriangleLanes {
  public:
-  static constexpr bool are_compiled = HWY_NATIVE_FMA != 0;  // without fused operations single tests are as fast
+  static constexpr bool is_compiled = HWY_NATIVE_FMA != 0;  // without fused operations, separate tests are as fast
 
   /// Adds a test, at most packet_size of them.
   HWY_INLINE void Add(const R3::Ray& ray, double t_max, const std::array<const R3::Point*, 3>& corners) {
@@ -39,7 +39,7 @@ class ExactTriangleLanes {
     ++count_;
   }
 
-  /// Makes all tests that were added.
+  /// Runs all added tests.
   HWY_INLINE ExactMask Test() {
     ExactMask mask;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); i += hn::Lanes(PacketDoubles())) TestLanes(i, mask);
@@ -48,7 +48,7 @@ class ExactTriangleLanes {
     return mask;
   }
 
-  /// The hit of ray i, whose test must have hit.
+  /// Returns the hit of ray i, whose test must have hit.
   R3::Hit HitOf(int i) const { return {t_[i], u_[i], v_[i], 0}; }
 
  private:
@@ -89,7 +89,7 @@ class ExactTriangleLanes {
   }
 
   int count_ = 0;
-  // Axes are permuted for each ray.
+  // Axes are permuted separately for each ray.
   alignas(64) DoubleEach origin_[3], direction_[3], corner_[3][3], t_min_, t_max_;
   alignas(64) DoubleEach t_, u_, v_;  // of hits
 };

@@ -1,4 +1,4 @@
-// One sphere against the rays of a packet: included once for each instruction set.
+// One sphere against the rays of a packet. Included once per instruction set.
 
 #if defined(RAY_ACCELERATE_WIDE_PACKET_SPHERE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAY_ACCELERATE_WIDE_PACKET_SPHERE_INL_H_
@@ -13,10 +13,11 @@
 // precision, with u and r as in TraversalRay-inl.h:
 //   - Components of f are at most r and off by 2 u r, those of d at most 2 and off by 2 u, so a component of f x d is
 //     off by (2 * 6 + 8) u r = 20 u r, the vector by less than e = 6 plane errors = 48 u r; and f . d by 30 u r.
-//   - |d| < 3.5, so a line that misses for certain has |f x d|^2 > radius^2 d^2 + 7 e radius + e^2, one that meets it
-//     |f x d|^2 + 7 e radius + e^2 < radius^2 d^2. Squares and products round by less than 16 u together.
-// A ray whose line meets the sphere leaves it at t = (-f . d + something from 0 to radius |d|) / d^2. If that lies
-// between 0 and its limit for certain, the ray hits, whether it begins inside or outside.
+//   - |d| < 3.5, so a line that certainly misses has |f x d|^2 > radius^2 d^2 + 7 e radius + e^2, one that certainly
+//   meets
+//     it |f x d|^2 + 7 e radius + e^2 < radius^2 d^2. Squares and products round by less than 16 u together.
+// A ray whose line meets the sphere leaves it at t = (-f . d + a number from 0 to radius |d|) / d^2. If that certainly
+// lies between 0 and its limit, the ray hits, whether it begins inside or outside.
 HWY_BEFORE_NAMESPACE();
 namespace ray {
 namespace HWY_NAMESPACE {
@@ -35,12 +36,12 @@ struct RoundedSphere {
   }
 };
 
-/// Which rays may hit a sphere, and which do for certain, as bits.
+/// The rays that may hit a sphere, and those that certainly do, as bits.
 struct SphereMask {
   std::uint32_t maybe = 0, certain = 0;
 };
 
-/// With `any`, finds the certain ones too: those that hit before `limit`, which holds one distance per ray.
+/// Tests the rays. With `any`, also finds the certain hits: those before `limit`, which has one distance per ray.
 template <bool any>
 HWY_INLINE SphereMask TestSphereLanes(const RoundedSphere& sphere, const Packet& packet, const FloatEach& limit) {
   const PacketFloats f;

@@ -1,4 +1,4 @@
-// Packets of rays through a wide tree: included once for each instruction set.
+// Packets of rays through a wide tree. Included once per instruction set.
 
 #if defined(RAY_ACCELERATE_WIDE_PACKET_TRAVERSAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAY_ACCELERATE_WIDE_PACKET_TRAVERSAL_INL_H_
@@ -25,15 +25,15 @@ HWY_INLINE void ForEachBit(std::uint32_t bits, const Work& work) {
 }
 
 /// Packet traversal. Eight children of a node at a time are tested against the bounds of the whole packet; then each
-/// child, and each triangle, against all rays at once. Where few rays remain, they continue one by one. So do the rays
-/// of a packet that is not coherent, although they are set up together, unless the tree is so small that many of them
-/// reach most of its boxes: then the boxes are tested one after the other.
+/// child, and each triangle, against all rays at once. If few rays remain, they continue one at a time. So do the rays
+/// of a packet that is not coherent, although they are prepared together, unless the tree is so small that many of them
+/// reach most of its boxes: then the boxes are tested in order.
 ///   source  Wald, Slusallek, Benthin, Wagner, Interactive rendering with coherent ray tracing (2001);
 ///           Reshetov, Soupikov, Hurley, Multi-level ray tracing algorithm (2005), for the bounds of a packet
 template <bool any>
 class PacketTraversal {
  public:
-  /// The nearest hits go to `hits`; of `any` that is one place, which stays empty.
+  /// Prepares the traversal. The nearest hits go to `hits`; with `any` that is one element, which stays empty.
   HWY_INLINE PacketTraversal(const TwoLevel<Tree>& two_level, std::span<const R3::Ray> rays,
                              std::optional<WorldHit>* hits, Counts& counts)
       : two_level_(two_level), tree_(two_level.structures[0]), rays_(rays), hits_(hits), counts_(counts) {
@@ -65,8 +65,8 @@ class PacketTraversal {
   }
 
  private:
-  static constexpr int few_rays = 2;                     // rays that are faster alone than together
-  static constexpr std::size_t nodes_of_small_tree = 8;  // scenes of 1 to 7 nodes gain, larger ones were not tried
+  static constexpr int few_rays = 2;                     // number of rays that are faster alone than together
+  static constexpr std::size_t nodes_of_small_tree = 8;  // scenes of 1 to 7 nodes gain; larger ones were not tested
   static constexpr int most_candidates = 8;
   struct Candidate {
     const TriangleBlock* block;
@@ -81,7 +81,7 @@ class PacketTraversal {
     return *new (nearest_ + place * static_cast<int>(sizeof(NearestHit)))
         NearestHit(*two_level_.world, Ray(i), hits_[place]);
   }
-  /// Nearest hit of a ray. With `any` a ray has none as long as it is asked, so one place is enough for all.
+  /// Returns the nearest hit of a ray. With `any`, unfinished rays have none, so one object serves all.
   NearestHit& Nearest(int i) {
     if constexpr (any) return MakeNearest(0, i);
     return reinterpret_cast<NearestHit*>(nearest_)[i];
@@ -137,7 +137,7 @@ class PacketTraversal {
     counts_.box_tests += nodes * width;
   }
 
-  /// A child that `rays` reach, and what is below, in the order of memory.
+  /// Visits a child that `rays` reach, and its subtree, in memory order.
   void VisitAll(std::uint32_t child, std::uint32_t rays) {
     ++counts_.node_visits;
     if (Child::KindOf(child) != Child::Kind::node || std::popcount(rays) <= few_rays) return VisitLeaf(child, rays);
@@ -150,7 +150,7 @@ class PacketTraversal {
     }
   }
 
-  /// The children that the packet reaches, nearest on top; returns the new top.
+  /// Pushes the children that the packet reaches, nearest on top; returns the new top.
   HWY_INLINE StackEntry* PushSorted(const Node& node, float limit, StackEntry* const base) {
     StackEntry* top = base;
     alignas(32) float distances[width];
@@ -164,7 +164,7 @@ class PacketTraversal {
     return top;
   }
 
-  /// A leaf, or a node that few rays reach.
+  /// Visits a leaf, or a node that few rays reach.
   HWY_INLINE void VisitLeaf(std::uint32_t child, std::uint32_t rays) {
     const auto kind = Child::KindOf(child);
     if (kind == Child::Kind::triangles && std::popcount(rays) > few_rays)
@@ -179,7 +179,7 @@ class PacketTraversal {
       ForEachBit(rays, [&](int i) HWY_ATTR { TraverseAlone(i, child); });
   }
 
-  /// One ray into a child of whatever kind.
+  /// Traverses a child of any kind with one ray.
   HWY_NOINLINE void TraverseAlone(int i, std::uint32_t child) {
     const PacketRay ray(packet_, i);
     LeafVisitor<any, Tree, PacketRay> visitor(two_level_, tree_, Ray(i), ray, DistanceInWorld(i), std::nullopt,
@@ -216,7 +216,7 @@ class PacketTraversal {
     }
   }
 
-  /// Which rays do not certainly miss one hull of a block.
+  /// Returns the rays that do not certainly miss one hull of a block.
   HWY_INLINE std::uint32_t TestHull(const HullBlock& block, std::uint32_t k) const {
     const PacketFloats f;
     const HullLanes<PacketFloats> hull(block, [&](const float* numbers) { return hn::Set(f, numbers[k]); });
@@ -251,7 +251,7 @@ class PacketTraversal {
     packet_.limit[i] = -1;
   }
 
-  /// The triangles of a block, ready to be broadcast one after the other.
+  /// The triangles of a block, prepared for broadcasting one at a time.
   struct TriangleArrays {
     alignas(32) float numbers[11][width];
 
@@ -279,7 +279,7 @@ class PacketTraversal {
     }
   }
 
-  /// One triangle against those of `rays` that fill the lanes from number i on.
+  /// Tests one triangle against those of `rays` that fill the lanes from number i on.
   HWY_INLINE void TestTriangle(const TriangleBlock& block, int k, const TriangleLanes<PacketFloats>& triangle,
                                std::size_t i, std::uint32_t rays) {
     const PacketFloats f;
@@ -305,7 +305,7 @@ class PacketTraversal {
     }
   }
 
-  /// Decides about one triangle for each of some rays. Those that leave it nearly always are among them.
+  /// Decides about one triangle for each of some rays. The rays that start on it are nearly always among them.
   HWY_INLINE void TestEach(const TriangleBlock& block, std::uint32_t lane, std::uint32_t rays) {
     const auto triangle = ExactTest::Locate(two_level_, tree_, std::nullopt, block, lane);
     ForEachBit(rays & ~packet_.StartOrEndOn(triangle.primitive), [&](int i) HWY_ATTR {
@@ -328,10 +328,10 @@ class PacketTraversal {
     }
   }
 
-  /// Decides about all candidates: first about one of each ray, which nearly always are all, together.
+  /// Decides about all candidates: first about one per ray, which nearly always is all of them, together.
   HWY_INLINE void TestAllCandidates() {
     if constexpr (any) return;
-    if constexpr (ExactTriangleLanes::are_compiled) TestLastCandidates();
+    if constexpr (ExactTriangleLanes::is_compiled) TestLastCandidates();
     for (int i = 0; i < Size(); ++i)
       if (candidate_count_[i] > 0) TestCandidates(i);
   }
@@ -373,7 +373,7 @@ class PacketTraversal {
   std::span<const R3::Ray> rays_;
   std::optional<WorldHit>* hits_;
   Counts& counts_;
-  std::uint32_t answered_ = 0;  // rays of `any` that have hit something, as bits
+  std::uint32_t answered_ = 0;  // the rays of `any` that have hit something, as bits
   Packet packet_;
   alignas(64) FloatEach limit_for_certain_, nearest_now_;
   std::uint8_t candidate_count_[packet_size] = {};
@@ -382,8 +382,8 @@ class PacketTraversal {
   alignas(NearestHit) std::byte nearest_[(any ? 1 : packet_size) * sizeof(NearestHit)];
 };
 
-/// FindNearest or FindAny for each of the rays: the same answers, since the exact test decides in the end. Hits of
-/// `any` are counted.
+/// Computes FindNearest or FindAny for each of the rays, with the same results, since the exact test decides in the
+/// end. Counts the hits of `any`.
 template <bool any>
 void TracePackets(const TwoLevel<Tree>& two_level, std::span<const R3::Ray> rays,
                   std::conditional_t<any, bool, std::optional<WorldHit>>* answers, Counts& counts) {

@@ -1,5 +1,5 @@
-// What a traversal comes by is tested here, candidates are decided in double precision, and a ray searches a whole
-// structure: included once for each instruction set.
+// Tests of the leaves that a traversal visits, decisions about candidates in double precision, and the search of a
+// whole structure. Included once per instruction set.
 
 #if defined(RAY_ACCELERATE_WIDE_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAY_ACCELERATE_WIDE_SEARCH_INL_H_
@@ -36,14 +36,14 @@ class ExactTriangleTest {
     std::array<std::uint32_t, 3> corners;
     std::uint32_t instance;
     std::int32_t element;
-    std::int64_t primitive;  // as the world numbers them
+    std::int64_t primitive;  // in the world's numbering
 
-    /// Whether the ray starts or ends on it, and so does not meet it.
+    /// Returns true if the ray starts or ends on it, and therefore does not meet it.
     bool IsAtAnEndOf(const R3::Ray& of) const { return primitive == of.leaving || primitive == of.reaching; }
     std::array<const R3::Point*, 3> Corners() const {
       return {positions + corners[0], positions + corners[1], positions + corners[2]};
     }
-    // Always inlined: g++ takes calls of what only prefetches for calls that do nothing.
+    // Always inlined: g++ removes calls of functions that only prefetch, because they have no effect.
     HWY_INLINE void PrefetchCorners() const {
       for (const std::uint32_t corner : corners) __builtin_prefetch(positions + corner);
     }
@@ -59,7 +59,7 @@ class ExactTriangleTest {
         counts(the_counts),
         instance_(instance) {}
 
-  // What is searched, and for which ray.
+  // The structure searched, and the ray.
   const TwoLevel<Structure>& two_level;
   const Structure& structure;
   const R3::Ray& ray;
@@ -82,10 +82,10 @@ class ExactTriangleTest {
             instance.first_primitive + what.element};
   }
 
-  /// Whether there is a hit that may be wanted, which with `any` ends the search.
+  /// Tests a triangle; returns true if there is a relevant hit, which with `any` ends the search.
   HWY_FLATTEN bool Test(const TriangleRef& triangle) {
     if (triangle.IsAtAnEndOf(ray)) return false;
-    if (!sheared_) sheared_.emplace(ray);  // most rays never ask
+    if (!sheared_) sheared_.emplace(ray);  // most rays need none
     if constexpr (!any) sheared_->t_max = nearest.TMaxOf(ray);
     ++counts.primitive_tests;
     const auto hit = R3::IntersectTriangleInline(*sheared_, triangle.Corners());
@@ -101,7 +101,7 @@ class ExactTriangleTest {
   std::optional<R3::ShearedRay> sheared_;
 };
 
-/// The test of an element by its shape. Whether there is a hit that may be wanted, which with `any` ends the search.
+/// Tests an element by its shape; returns true if there is a relevant hit, which with `any` ends the search.
 template <bool any>
 bool TestElement(std::uint32_t instance, int element, const R3::Ray& local, NearestHit& nearest, Counts& counts) {
   if constexpr (any) return nearest.IsInTheWay(instance, element, local, counts);
@@ -129,8 +129,8 @@ HWY_NOINLINE HWY_FLATTEN bool TestSphere(const SphereLeaf& leaf, const R3::Ray& 
   return true;
 }
 
-/// Tests a primitive that is neither a triangle nor a sphere of the structure's frame: any other shape, or a whole
-/// shared mesh. True when there is a hit of `any`.
+/// Tests a primitive that is neither a triangle nor a sphere in the structure's frame: any other shape, or a whole
+/// shared mesh. Returns true if there is a hit and `any` is set.
 template <bool any, typename Structure>
 bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& structure, std::uint32_t primitive,
                    const R3::Ray& ray, double distance_in_world, NearestHit& nearest, Counts& counts) {
@@ -146,9 +146,9 @@ bool TestPrimitive(const TwoLevel<Structure>& two_level, const Structure& struct
   return instance.frame == 0 ? test(ray) : test(two_level.world->Back(instance.frame, ray));
 }
 
-/// Tests what a traversal comes by. With `any`, an occlusion ray's, the first hit answers. Otherwise triangles that the
-/// exact test may have to decide about are candidates until the end; where their corners are in memory is looked up in
-/// steps while the traversal goes on, so that the exact test need not wait for it.
+/// A visitor that tests the leaves of a traversal. With `any`, for occlusion rays, the first hit ends the search.
+/// Otherwise triangles that may need the exact test remain candidates until the end; the addresses of their corners are
+/// looked up in steps during the traversal, so that the exact test need not wait for them.
 template <bool any, typename Structure, typename RayInBoxes = TraversalRay>
 class LeafVisitor {
  public:
@@ -162,10 +162,10 @@ class LeafVisitor {
                                : 0),
         exact_test_(two_level, structure, ray, instance, nearest, counts) {}
 
-  float limit;               // what is farther along the traversal ray than this is not wanted any more
-  bool is_answered = false;  // of `any`: there is a hit
+  float limit;               // hits farther along the traversal ray are irrelevant
+  bool is_answered = false;  // with `any`: there is a hit
 
-  /// True when that ends the search.
+  /// Visits a block of triangles; returns true if that ends the search.
   HWY_INLINE bool VisitTriangles(const TriangleBlock& block) {
     BlockMask mask;
     TestTriangles(block, traversal_ray_, limit, mask);
@@ -184,7 +184,7 @@ class LeafVisitor {
     return false;
   }
 
-  /// Visits a leaf of one sphere. Returns whether the question is answered.
+  /// Visits a leaf of one sphere; returns true if that ends the search.
   HWY_INLINE bool VisitSphere(const SphereLeaf& leaf) {
     if (!TestSphere<any>(leaf, exact_test_.ray, exact_test_.nearest, exact_test_.counts)) return false;
     if constexpr (any) return is_answered = true;
@@ -192,7 +192,7 @@ class LeafVisitor {
     return false;
   }
 
-  /// Visits a primitive that is neither triangle nor sphere. Returns whether the question is answered.
+  /// Visits a primitive that is neither triangle nor sphere; returns true if that ends the search.
   bool VisitPrimitive(std::uint32_t primitive) {
     if constexpr (!any) TestCandidatesNow();
     is_answered = TestPrimitive<any>(exact_test_.two_level, exact_test_.structure, primitive, exact_test_.ray,
@@ -202,7 +202,7 @@ class LeafVisitor {
     return false;
   }
 
-  /// Visits primitives by their hulls, the nearest first. Returns whether the question is answered.
+  /// Visits primitives by their hulls, the nearest first; returns true if that ends the search.
   bool VisitHulls(const HullBlock& block) {
     alignas(32) float entries[width];
     std::uint32_t rest = TestHulls(block, traversal_ray_, limit, entries);
@@ -215,7 +215,7 @@ class LeafVisitor {
     return false;
   }
 
-  /// Gives the candidates that may still be the nearest to `keep`, which is to decide about them.
+  /// Passes the candidates that may still be the nearest to `keep`, which decides about them.
   template <typename Keeper>
   HWY_INLINE void HandOver(const Keeper& keep) {
     for (int i = 0; i < count_; ++i)
@@ -248,7 +248,7 @@ class LeafVisitor {
   };
   static constexpr int most_candidates = 16;
 
-  /// Out of line where it is rare: the kernels are compiled many times.
+  /// A version out of line for rare calls, since the kernels are compiled many times.
   HWY_NOINLINE void TestCandidatesNow() { TestCandidates(); }
 
   HWY_INLINE void Keep(const TriangleBlock& block, std::uint32_t lane, float nearest, float farthest) {
@@ -264,15 +264,15 @@ class LeafVisitor {
 
   const RayInBoxes& traversal_ray_;
   double distance_in_world_;
-  float limit_for_certain_;  // up to where hits of a shadow ray that are certain are in its way
+  float limit_for_certain_;  // up to which certain hits of a shadow ray block it
   ExactTriangleTest<any, Structure> exact_test_;
   int count_ = 0;
   Candidate candidates_[most_candidates];
 };
 
-/// Through one structure; `instance` is the shared mesh's whose inside it is. True when `any` is answered. Each
-/// structure brings a Traverse of its own, which visits leaves until Visit... returns true or nothing is left before
-/// the limit.
+/// Searches one structure; `instance` is that of the shared mesh inside of which it is. Returns true if `any` is set
+/// and there is a hit. Each structure has its own Traverse, which visits leaves until Visit... returns true or nothing
+/// is left before the limit.
 template <bool any, typename Structure>
 HWY_INLINE bool SearchInline(const TwoLevel<Structure>& two_level, const Structure& structure, const R3::Ray& ray,
                              double distance_in_world, std::optional<std::uint32_t> instance, NearestHit& nearest,

@@ -1,4 +1,4 @@
-// A ray as traversal sees it, in single precision, and how far that may be off: included once for each instruction set.
+// A ray for traversal in single precision, and its error bounds. Included once per instruction set.
 
 #if defined(RAY_ACCELERATE_WIDE_TRAVERSAL_RAY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAY_ACCELERATE_WIDE_TRAVERSAL_RAY_INL_H_
@@ -20,22 +20,22 @@
 #include "source/accelerate/twolevel/TwoLevel.h"
 #include "source/accelerate/wide/Vec3-inl.h"
 
-// Traversal is watertight and conservative: where single precision may err, it errs on the side of testing once more in
-// double precision. All coordinates are the structure's, so at most 1 in boxes and triangles; directions are scaled so
-// that their largest component lies in [1, 2); u is 2^-24. With r = 1 + the largest coordinate of the ray's origin:
+// Traversal is watertight and conservative: wherever single precision may be wrong, the test is repeated in double
+// precision. All coordinates are the structure's, so at most 1 in boxes and triangles; directions are scaled so that
+// their largest component lies in [1, 2); u is 2^-24. With r = 1 + the largest coordinate of the ray's origin:
 //   - A plane rounded to float is off by u/2, the origin by u r, their product with 1/d by u r, 1/d itself (with d
 //     rounded before) by 2 u of the distance, at most 2 u r, the difference by u r: together less than 8 u r in terms
-//     of where the plane is. So each ray moves all planes outward by 8 u r: its plane error bound.
+//     of the plane's position. So each ray moves all planes outward by 8 u r: its plane error bound.
 //   - With |e| the sum of magnitudes of an edge's components: corner - origin is off by 2 u r and at most r in each, so
 //     R = (corner - origin) x d, at most 4 r, is off by 20 u r in each, R . e by (20 + 12 + 4) u r |e|. The normal n is
 //     off by 5 u |e1| |e2| in each component, n . d by 32 u |e1| |e2|, n . (corner - origin) by 16 u r |e1| |e2|.
-//   - What doubles lose is 2^-50 of the origin's distance before it was moved near; 2^-20 u of it is in r.
-// So a triangle whose edge functions (its barycentric coordinates, undivided) all exceed their error bound is hit for
-// certain, by the exact test too; its distance then is known between two bounds, of which the upper one already ends
-// the search. The exact test in doubles decides about the few candidates that remain in the end. Where Contact.h has a
-// say, at the start of a ray and at the end of a shadow ray, nothing is certain. What may be coincident with the
-// nearest hit is off by less than 2^9 double roundings of the ray's origin, far less than u r; 1 u r more in the bound
-// keeps it.
+//   - Doubles lose 2^-50 of the origin's distance before it was moved near; r includes 2^-20 u of that distance.
+// So a triangle whose edge functions (its barycentric coordinates, undivided) all exceed their error bound is certainly
+// hit, by the exact test too; its distance is then known between two bounds, of which the upper one already ends the
+// search. The exact test in doubles decides about the few candidates that remain in the end. Where Contact.h decides,
+// at the start of a ray and at the end of a shadow ray, nothing is certain. Hits that may be coincident with the
+// nearest hit are off by less than 2^9 double roundings of the ray's origin, far less than u r; adding 1 u r to the
+// bound includes them.
 HWY_BEFORE_NAMESPACE();
 namespace ray {
 namespace HWY_NAMESPACE {
@@ -45,41 +45,42 @@ using Floats = hn::Vec<Lanes>;
 
 inline constexpr float u = 0x1p-24f;
 
-// The bounds above: of planes, times r; of edge functions, times r (|e1| + |e2|), 36 u and something for sums of the
+// The bounds above: of planes, times r; of edge functions, times r (|e1| + |e2|), 36 u and a margin for sums of the
 // bounds themselves; of n . (corner - origin), times (r + 1) |e1| |e2|; of n . d, times |e1| |e2|.
 inline constexpr float relative_plane_error = 8 * u, relative_edge_error = 40 * u, relative_height_error = 17 * u,
                        relative_facing_error = 32 * u;
-/// What the error bounds of triangles have besides, for products below the normal range of floats, 2^-126. An edge
-/// function has some 30 terms, each off by at most 2^-126 if such products became 0, times at most 4 for what it is
-/// multiplied with later: together less than 2^-119. A height has the corner as a factor, which may be large; but
-/// heights count only where n . d is above twice this, and there |e1| |e2| is above 2^-101, so that what is lost,
-/// 2^-149 r at most for each component of n, is far less than the height's own bound.
+/// An addition to the error bounds of triangles, for products below the normal range of floats, 2^-126. An edge
+/// function has some 30 terms, each off by at most 2^-126 if such products became 0, times at most 4 for later factors:
+/// together less than 2^-119. A height has the corner as a factor, which may be large; but heights count only if n . d
+/// is above twice this value, and then |e1| |e2| is above 2^-101, so that the loss, 2^-149 r at most for each component
+/// of n, is far less than the height's own bound.
 inline constexpr float underflow_error = 0x1p-99f;
-/// So much of the distance that a ray came from is added to r, for what doubles lose on the way.
+/// The share of the distance that a ray came from that is added to r, for the loss of doubles on the way.
 inline constexpr double translation_error = 0x1p-20;
-/// Computed distances times these are bounds, where a division or a conversion rounds, and so does the product.
+/// Factors that turn computed distances into bounds, after a rounded division or conversion and including the product's
+/// own rounding.
 inline constexpr float rounded_up = 1 + 4 * u, rounded_down = 1 - 4 * u;
 
-/// Rays begin where they are when their origin is no farther, in half boxes: that makes r, and so the error bounds, at
-/// most 7 times what they are inside, and saves finding where they enter.
+/// The distance of an origin, in half boxes, up to which rays begin where they are. It makes r, and therefore the error
+/// bounds, at most 7 times as large as inside, and saves computing the entry.
 inline constexpr double near_enough = 6;
-/// No direction is nearer to being along a plane: that moves rays by less than their error bound, and keeps products
+/// The minimum magnitude of a direction's components. It moves rays by less than their error bound, and keeps products
 /// finite.
 inline constexpr float flattest = 0x1p-40f;
-/// Single precision cannot tell one place from another long before r is so large; and r / flattest is still finite.
+/// The reach beyond which single precision is useless, long since; r / flattest is still finite there.
 inline constexpr double most_reach = 0x1p60;
 
-/// 2^-e for the x in [2^e, 2^(e+1)), which must be finite and not 0; at least 2^-1022 and at most 2^1022.
+/// Returns 2^-e for x in [2^e, 2^(e+1)), which must be finite and not 0; at least 2^-1022 and at most 2^1022.
 HWY_INLINE double PowerOfTwoBelowInverse(double x) {
   const std::uint64_t exponent = std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff;
   return std::bit_cast<double>(std::clamp<std::uint64_t>(2046 - exponent, 1, 2045) << 52);
 }
-/// 1 / x of a power of two that the above gave.
+/// Returns 1 / x for a power of two returned by the function above.
 HWY_INLINE double InverseOfPowerOfTwo(double x) {
   return std::bit_cast<double>((std::uint64_t{2046} << 52) - std::bit_cast<std::uint64_t>(x));
 }
 
-// Four numbers at once, as the compilers know them; the fourth is whatever lies behind the third in memory.
+// Four numbers in a vector type of the compilers; the fourth is whatever follows the third in memory.
 using Double4 = double __attribute__((vector_size(32)));
 using Float4 = float __attribute__((vector_size(16)));
 using Whole4 = std::int32_t __attribute__((vector_size(16)));
@@ -98,22 +99,22 @@ HWY_INLINE double LargestOf(const Double4& v) {
   return larger(larger(size[0], size[1]), size[2]);
 }
 
-/// A ray in a structure's coordinates, begun where it enters the structure's box if it comes from afar.
+/// A ray in a structure's coordinates. If it comes from afar, it begins where it enters the structure's box.
 struct TraversalRay {
-  Double4 start, along;  // where it begins, and its direction
+  Double4 start, along;  // its origin and its direction
   Float4 origin, direction, inverse;
   Float4 near_shift, far_shift;  // (origin +- plane_error) * inverse
-  Whole4 signs;                  // below 0 where the direction is
+  Whole4 signs;                  // below 0 if the direction is
   float plane_error;
-  float certain_from;    // no hit that is nearer is certain
-  float edge_error;      // times |e1| + |e2|
-  float height_error;    // times |e1| |e2|
+  float certain_from;    // no hit nearer than this is certain
+  float edge_error;      // to be multiplied by |e1| + |e2|
+  float height_error;    // to be multiplied by |e1| |e2|
   double per_t, begin;   // distance along this ray = t * per_t - begin
   bool is_lost = false;  // it misses the structure's box
 
-  /// -1 where the ray goes down along the axis, else 0.
+  /// Returns -1 if the ray descends along the axis, otherwise 0.
   std::int32_t DownwardMask(int axis) const { return signs[axis] >> 31; }
-  /// An upper bound.
+  /// Returns an upper bound on the distance.
   float Distance(double t) const { return static_cast<float>(t * per_t - begin) * rounded_up + plane_error; }
 
   HWY_INLINE TraversalRay(const Coordinates& coordinates, double padding_per_distance, const R3::Ray& ray,
@@ -143,20 +144,20 @@ struct TraversalRay {
     certain_from = plane_error;
     if (IsDeparting(ray)) certain_from += static_cast<float>(-R3::departure_end * per_t * ray.t_min);
     Round();
-    // Where `begin` is out of range, so is the reach.
+    // If `begin` is out of range, so is the reach.
     const bool is_in_range = (per_t < coordinates.largest_per_t) & (per_t > 1 / most_per_t) & (reach < most_reach);
     if (HWY_UNLIKELY(!is_in_range)) AcceptEverything();
   }
 
  private:
-  /// Begins where the ray enters the structure's box, generously widened, so that coordinates are no larger than they
-  /// need be; false when it misses the box.
+  /// Moves the start to where the ray enters the structure's box, generously padded, so that coordinates are no larger
+  /// than necessary; returns false if it misses the box.
   HWY_INLINE bool EnterBox(const Double4& from, double far, double padding, double leave) {
     const double reach = 1 + 0x1p-10 + 0x1p-40 * far + padding;
     double enter = begin;
     for (int axis = 0; axis < 3; ++axis) {
       const double a = (-reach - from[axis]) / along[axis], b = (reach - from[axis]) / along[axis];
-      enter = std::max(enter, std::min(a, b));  // a NaN, from a ray in the plane, leaves things as they were
+      enter = std::max(enter, std::min(a, b));  // a NaN, from a ray in the plane, changes nothing
       leave = std::min(leave, std::max(a, b));
     }
     if (enter > leave * (1 + 0x1p-40) + 0x1p-40 * far) return false;
@@ -170,7 +171,7 @@ struct TraversalRay {
     height_error = relative_height_error * (r + 1);
   }
 
-  /// To single precision, and what boxes are tested with.
+  /// Rounds to single precision, and computes the values for box tests.
   HWY_INLINE void Round() {
     origin = __builtin_convertvector(start, Float4);
     direction = __builtin_convertvector(along, Float4);
@@ -184,7 +185,7 @@ struct TraversalRay {
     far_shift = (origin - outward) * inverse;
   }
 
-  /// Where single precision cannot tell one place from another.
+  /// Accepts everything, for rays that single precision cannot resolve.
   void AcceptEverything() {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     plane_error = certain_from = edge_error = height_error = infinity;

@@ -1,4 +1,4 @@
-// One ray through a wide tree of boxes: included once for each instruction set.
+// One ray through a wide tree of boxes. Included once per instruction set.
 
 #if defined(RAY_ACCELERATE_WIDE_TRAVERSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAY_ACCELERATE_WIDE_TRAVERSE_INL_H_
@@ -20,7 +20,7 @@ using wide::Child;
 using wide::Node;
 using wide::Tree;
 
-/// A traversal ray as the slab test of eight boxes wants it: in registers during traversal.
+/// A traversal ray prepared for the slab test of eight boxes, kept in registers during traversal.
 struct NodeRay {
   Vec3<Lanes> inverse, near, far;
   std::int64_t x, y, z;  // the near planes in Node::plane, in floats
@@ -34,11 +34,11 @@ struct NodeRay {
         y((p.DownwardMask(1) & width) + 2 * width),
         z((p.DownwardMask(2) & width) + 4 * width) {}
 
-  /// Which children of a node are entered before `limit`, as bits; and where.
+  /// Returns the children of a node that are entered before `limit`, as bits, and their entries.
   HWY_INLINE std::uint32_t Test(const Node& node, float limit, float* HWY_RESTRICT entries) const {
     const Lanes lanes;
     const float* planes = node.planes;
-    constexpr std::int64_t other = width;  // low and high planes alternate: the far one is next door
+    constexpr std::int64_t other = width;  // low and high planes alternate: the far one is adjacent
     std::uint32_t reached = 0;
     for (std::size_t i = 0; i < width; i += hn::Lanes(lanes)) {
       const auto at = [&](std::int64_t plane, Floats slope, Floats shift) {
@@ -57,15 +57,15 @@ struct NodeRay {
   }
 };
 
-/// An entry of the traversal stack: the distance at which a child is entered in the high half, so that whole numbers
-/// order entries, and the child.
+/// Packs an entry of the traversal stack: the distance at which a child is entered in the high half, so that comparing
+/// integers orders entries, and the child.
 HWY_INLINE std::uint64_t PackEntry(float distance, std::uint32_t child) {
   return std::uint64_t{std::bit_cast<std::uint32_t>(distance)} << 32 | child;
 }
 HWY_INLINE float DistanceOf(std::uint64_t entry) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(entry >> 32));
 }
-/// Without a branch: which of two is nearer is unpredictable.
+/// Orders two entries without a branch, since their order is unpredictable.
 HWY_INLINE void Order(std::uint64_t& farther, std::uint64_t& nearer) {
   const std::uint64_t swap = -static_cast<std::uint64_t>(farther < nearer) & (farther ^ nearer);
   farther ^= swap, nearer ^= swap;
@@ -73,8 +73,8 @@ HWY_INLINE void Order(std::uint64_t& farther, std::uint64_t& nearer) {
 
 using Wholes = hn::CappedTag<std::int32_t, width>;
 
-/// Distances of the children reached, as whole numbers that order them, the lane in the lowest bits: equal ones go by
-/// that. Others have -1.
+/// Returns the distances of the children reached, as integers in the same order, with the lane in the lowest bits,
+/// which orders equal ones. Other children have -1.
 template <typename D>
 HWY_INLINE hn::Vec<D> SortKeys(D d, const float* HWY_RESTRICT distances, std::uint32_t reached, std::size_t first) {
   const auto lane = hn::Iota(d, static_cast<std::int32_t>(first));
@@ -84,7 +84,7 @@ HWY_INLINE hn::Vec<D> SortKeys(D d, const float* HWY_RESTRICT distances, std::ui
 }
 
 HWY_INLINE void Prefetch(const Tree& tree, std::uint32_t child) {
-  // For a primitive this is some other place in memory or none, which does no harm.
+  // For a primitive this is some other or an invalid address, which does no harm.
   const char* at = reinterpret_cast<const char*>(tree.memory.Data() + Child::Index(child));
   for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
 }
@@ -92,15 +92,15 @@ HWY_INLINE void PrefetchEach(const Tree& tree, const Node& node, std::uint32_t r
   for (; reached != 0; reached &= reached - 1) Prefetch(tree, node.child[std::countr_zero(reached)]);
 }
 
-/// What is visited next, and the new top of the stack.
+/// The next child to visit, and the new top of the stack.
 template <typename Entry>
 struct Pushed {
   std::uint32_t next;
   Entry* top;
 };
 
-/// For occlusion rays: two or more children reached, whichever comes first. What is reached once is wanted to the end,
-/// so the stack need not know distances.
+/// Pushes two or more reached children in any order, for occlusion rays. Once reached, a child stays relevant to the
+/// end, so the stack needs no distances.
 HWY_INLINE Pushed<std::uint32_t> PushUnsorted(const Tree& tree, const Node& node, std::uint32_t reached,
                                               std::uint32_t* top) {
   if (tree.is_large) PrefetchEach(tree, node, reached);
@@ -110,9 +110,9 @@ HWY_INLINE Pushed<std::uint32_t> PushUnsorted(const Tree& tree, const Node& node
   return {node.child[last], top};
 }
 
-/// For nearest hits: three or more children reached, pushed farthest first. May write `width` entries from `top` on.
+/// Pushes three or more reached children for nearest hits, farthest first. May write `width` entries from `top` on.
 #if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 32
-/// Eight numbers, the largest first, by a network of six rounds in each of which pairs of lanes compare.
+/// Sorts eight numbers, the largest first, by a network of six rounds that compare pairs of lanes.
 ///   source  Batcher, Sorting networks and their applications (1968)
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE V SortDescending(D d, V keys) {
@@ -137,7 +137,7 @@ HWY_INLINE Pushed<std::uint64_t> PushMany(const Node& node, const float* HWY_RES
   const Wholes d;
   const hn::RebindToUnsigned<Wholes> u;
   const auto keys = SortKeys(d, distances, reached, 0);
-  // Found apart from the others, so that traversal need not wait for their order.
+  // Found separately from the others, so that traversal need not wait for their order.
   const std::uint32_t first = hn::GetLane(hn::MinOfLanes(u, hn::BitCast(u, keys))) & (width - 1);
   const auto lanes = hn::IndicesFromVec(d, hn::And(SortDescending(d, keys), hn::Set(d, width - 1)));
   const auto children = hn::TableLookupLanes(hn::BitCast(d, hn::Load(u, node.child)), lanes);
@@ -169,7 +169,7 @@ HWY_INLINE Pushed<std::uint64_t> PushMany(const Node& node, const float* HWY_RES
 }
 #endif
 
-/// For nearest hits: two or more children reached, the nearest first.
+/// Pushes two or more reached children for nearest hits, the nearest on top.
 HWY_INLINE Pushed<std::uint64_t> PushSorted(const Tree& tree, const Node& node, const float* HWY_RESTRICT distances,
                                             std::uint32_t reached, std::uint64_t* top) {
   if (tree.is_large) PrefetchEach(tree, node, reached);
@@ -181,8 +181,8 @@ HWY_INLINE Pushed<std::uint64_t> PushSorted(const Tree& tree, const Node& node, 
   return {static_cast<std::uint32_t>(first), top};
 }
 
-/// A leaf of another kind than triangles; true when that ends the search. Out of line, so that the traversal of
-/// triangles keeps its registers.
+/// Visits a leaf that does not contain triangles; returns true if that ends the search. Out of line, so that the
+/// traversal of triangles keeps its registers.
 template <typename LeafVisitor>
 HWY_NOINLINE bool VisitOthers(const Tree& tree, std::uint32_t child, LeafVisitor& visitor) {
   if (Child::KindOf(child) == Child::Kind::sphere) return visitor.VisitSphere(tree.At<SphereLeaf>(child));
@@ -190,7 +190,7 @@ HWY_NOINLINE bool VisitOthers(const Tree& tree, std::uint32_t child, LeafVisitor
   return visitor.VisitPrimitive(Child::Index(child));
 }
 
-/// From a child of whatever kind, with a stack of what is still to be visited, nearest on top.
+/// Traverses from a child of any kind, with a stack of the children still to be visited, nearest on top.
 template <bool any, typename LeafVisitor>
 HWY_INLINE void TraverseFrom(std::uint32_t child, const Tree& tree, const NodeRay& ray, LeafVisitor& visitor,
                              Counts& counts) {

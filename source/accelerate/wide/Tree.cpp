@@ -6,7 +6,7 @@ std::vector<R3::Box> Tree::BoxesAt(int level) const {
   if (level < 0 || level >= BoxLevels()) return {};
   std::vector<R3::Box> boxes;
   if (level == 0) {
-    R3::Box all;  // a root that is a leaf has its box nowhere else
+    R3::Box all;  // the box of a root that is a leaf is stored nowhere else
     if (Child::KindOf(root) == Child::Kind::node)
       for (const R3::Box& box : BoxesAt(1)) all.Extend(box);
     else

@@ -9,14 +9,14 @@
 #include "source/accelerate/twolevel/TwoLevel.h"
 #include "source/text/Words.h"
 
-/// The wide tree of boxes (as Embree's BVH8) as data. Everything in it is in single precision and only ever culls: it
-/// decides what not to test, never what is hit.
+/// The data of the wide tree of boxes (as in Embree's BVH8). Everything in it is in single precision and only culls: it
+/// decides which tests to skip, never which primitive is hit.
 namespace ray::wide {
 
-inline constexpr std::size_t unit = 32;  // bytes in which memory is counted
+inline constexpr std::size_t unit = 32;  // bytes; the unit of memory
 
-/// What a child is and where, in 32 bits: its first unit in Tree::memory, or the number of a primitive alone. From
-/// `nothing` on it is no child at all.
+/// The kind and position of a child, in 32 bits: its first unit in Tree::memory, or the number of a single primitive.
+/// Values from `nothing` on are no child.
 struct Child {
   enum class Kind : std::uint32_t { node, triangles, sphere, hulls, primitive };
   static constexpr int kind_shift = 29;
@@ -30,17 +30,17 @@ struct Child {
   static std::uint32_t Index(std::uint32_t child) { return child & ((std::uint32_t{1} << kind_shift) - 1); }
 };
 
-/// Eight boxes side by side. Plane 2 axis are the low sides, plane 2 axis + 1 the high ones, rounded to the nearest
-/// float: the padding of the ray covers it. Children that are missing have inside-out boxes.
+/// Eight boxes in lanes. Plane 2 axis contains the low sides, plane 2 axis + 1 the high ones, rounded to the nearest
+/// float; the padding of the ray covers that. Missing children have inside-out boxes.
 struct alignas(unit) Node {
-  float planes[6 * width];  // one array: rays keep where in it their near planes begin
+  float planes[6 * width];  // one array: rays store the index of their near planes
   float& At(int plane, int i) { return planes[plane * width + i]; }
   float At(int plane, int i) const { return planes[plane * width + i]; }
   std::uint32_t child[width];
 };
 
-/// Levels of nodes, which Flatten checks. A node pushes at most `width` - 1 children, so a stack of most_depth * width
-/// always suffices.
+/// The maximum number of levels of nodes, which Flatten checks. A node pushes at most `width` - 1 children, so a stack
+/// of most_depth * width always suffices.
 inline constexpr int most_depth = 64;
 
 /// One structure over one set of primitives.
@@ -51,15 +51,15 @@ struct Tree {
 
   PrimitiveSet primitives;
   Coordinates coordinates;
-  /// Nodes, each followed by the blocks and spheres that are its children, depth first: what is visited together lies
-  /// together.
+  /// Nodes, each followed by the blocks and spheres that are its children, depth-first: children visited together are
+  /// stored together.
   struct alignas(unit) Unit {
     std::byte bytes[unit];
   };
   HugeArray<Unit> memory;
   std::size_t nodes = 0, blocks = 0;
   std::uint32_t root = Child::nothing;
-  bool is_large = false;  // larger than a core's own cache: children are worth fetching before they are needed
+  bool is_large = false;  // larger than a core's private cache: prefetching children pays
   int depth = 0;
 
   template <typename T>
@@ -71,9 +71,9 @@ struct Tree {
            Counted(static_cast<std::uint64_t>(depth), "level") + ", " +
            Counted(static_cast<std::uint64_t>(blocks), "block") + " of triangles";
   }
-  /// Levels of boxes: the root's, then those of its children, and so on.
+  /// Returns the number of levels of boxes: the root's, then those of its children, and so on.
   int BoxLevels() const { return Child::IsNothing(root) ? 0 : depth + 1; }
-  /// In the frame of the primitives, rounded to single precision as traversal uses them.
+  /// Returns the boxes in the frame of the primitives, rounded to single precision as in the traversal.
   std::vector<R3::Box> BoxesAt(int level) const;
   std::size_t Bytes() const { return memory.Bytes() + primitives.Bytes(); }
 };

@@ -1,5 +1,5 @@
-// Triangles against rays in single precision, many at once: which are certainly missed, which certainly hit. The bounds
-// are derived in TraversalRay-inl.h. Included once for each instruction set.
+// Tests of rays against triangles in single precision, many at once, which find certain misses and certain hits. The
+// bounds are derived in TraversalRay-inl.h. Included once per instruction set.
 
 #if defined(RAY_ACCELERATE_WIDE_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAY_ACCELERATE_WIDE_TRIANGLES_INL_H_
@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ray {
 namespace HWY_NAMESPACE {
 
-/// Triangles in lanes, one each or all the same.
+/// Triangles in SIMD lanes: one per lane, or a single triangle broadcast to all lanes.
 template <typename D>
 struct TriangleLanes {
   using V = hn::Vec<D>;
@@ -22,7 +22,7 @@ struct TriangleLanes {
   V edges, area;  // sum and product of the edges' magnitudes
 };
 
-/// From the edges of the block's triangles.
+/// Loads the triangles of a block.
 template <typename D>
 HWY_INLINE TriangleLanes<D> LoadTriangles(D d, const TriangleBlock& block, std::size_t first) {
   const Vec3<D> edge1 = LoadEach(d, block.edge1, first), edge2 = LoadEach(d, block.edge2, first);
@@ -30,24 +30,25 @@ HWY_INLINE TriangleLanes<D> LoadTriangles(D d, const TriangleBlock& block, std::
   return {edge1, edge2, Cross(edge1, edge2), hn::Add(a, b), hn::Mul(a, b)};
 }
 
-/// Rays in lanes, one each or all the same.
+/// Rays in SIMD lanes: one per lane, or a single ray broadcast to all lanes.
 template <typename D>
 struct RayLanes {
   Vec3<D> direction;
   hn::Vec<D> certain_from, edge_error, height_error, limit;
 };
 
-/// Which lanes may hit, and where.
+/// The lanes that may hit, and bounds on their distances.
 template <typename D>
 struct TriangleMask {
-  HWY_INLINE TriangleMask() {}  // one that compilers make for themselves is not compiled for the instruction set
+  HWY_INLINE TriangleMask() {}  // a compiler-generated one would not be compiled for the instruction set
 
-  hn::Mask<D> maybe, certain;  // the certain ones are in maybe too
-  hn::Vec<D> nearest;          // bounds on the distance; of those that are not clear 0
-  hn::Vec<D> farthest;         // of the certain
+  hn::Mask<D> maybe, certain;  // `certain` is a subset of `maybe`
+  hn::Vec<D> nearest;          // lower bounds on the distances; 0 for those that are unclear
+  hn::Vec<D> farthest;         // upper bounds, of the certain ones
 };
 
-/// Which triangles are not certainly missed by their ray before its limit; false when none, and then no more is said.
+/// Finds the triangles that their ray does not certainly miss before its limit; returns false if there are none, with
+/// the rest unspecified.
 ///   to_corner   from the ray's origin to the triangle's first corner
 ///   v, w, rest  the hit's barycentric coordinates times n . d
 ///   source      the edge functions of Moller, Trumbore, Fast, minimum storage ray/triangle intersection (1997),
@@ -66,14 +67,14 @@ HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, const Vec3<D>& 
   auto maybe = hn::Or(hn::Ge(least, hn::Neg(edge_error)), hn::Le(most, edge_error));
   if (hn::AllFalse(d, maybe)) return false;
 
-  // Edge-on, nothing is known of distances.
+  // Edge-on, nothing is known about distances.
   const V height = Dot(triangle.normal, to_corner), steep = hn::Abs(facing);
   const V ahead = hn::Xor(height, hn::And(facing, hn::SignBit(d)));
   const V height_error = hn::MulAdd(triangle.area, ray.height_error, set(underflow_error));
   const auto is_clear = hn::Gt(steep, hn::Add(facing_error, facing_error));
   const V low = hn::Sub(ahead, height_error), high = hn::Add(ahead, height_error);
   const V wide = hn::Add(steep, facing_error), narrow = hn::Sub(steep, facing_error);
-  // Dividing may round by u; so may what follows.
+  // The division may round by u; so may the following operations.
   const V nearest = hn::Mul(hn::Div(low, hn::IfThenElse(hn::Ge(low, hn::Zero(d)), wide, narrow)), set(rounded_down));
   const auto is_far = hn::Gt(nearest, ray.limit), is_behind = hn::Lt(high, hn::Zero(d));
   maybe = hn::AndNot(hn::And(is_clear, hn::Or(is_far, is_behind)), maybe);
@@ -87,7 +88,7 @@ HWY_INLINE bool TestLanes(D d, const TriangleLanes<D>& triangle, const Vec3<D>& 
   return true;
 }
 
-/// The lanes that are set, as bits.
+/// Returns the lanes that are set, as bits.
 template <typename D, typename M>
 HWY_INLINE std::uint32_t Bits(D d, M mask) {
   std::uint8_t bytes[8] = {};
@@ -101,7 +102,7 @@ struct BlockMask {
   alignas(32) float nearest[width], farthest[width];
 };
 
-/// One ray, a TraversalRay or one of a packet, against the triangles of a block.
+/// Tests one ray, a TraversalRay or one of a packet, against the triangles of a block.
 template <typename RayInBoxes>
 HWY_INLINE void TestTriangles(const TriangleBlock& block, const RayInBoxes& ray, float limit, BlockMask& mask) {
   const Lanes d;

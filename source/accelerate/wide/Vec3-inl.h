@@ -1,4 +1,4 @@
-// Vectors of space in SIMD lanes: included once for each instruction set.
+// Vectors of space in SIMD lanes. Included once per instruction set.
 
 #if defined(RAY_ACCELERATE_WIDE_VEC3_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAY_ACCELERATE_WIDE_VEC3_INL_H_
@@ -17,18 +17,18 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Vectors, one in each lane.
+/// One vector per lane.
 template <typename D>
 struct Vec3 {
   hn::Vec<D> x, y, z;
 };
 
-/// Returns one vector in all lanes.
+/// Returns one vector broadcast to all lanes.
 template <typename D, typename Xyz>
 HWY_INLINE Vec3<D> Broadcast(D d, const Xyz& v) {
   return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
 }
-/// Returns those from number i on; each component is an array.
+/// Returns the vectors from number i on; each component is an array.
 template <typename D, typename Arrays>
 HWY_INLINE Vec3<D> LoadEach(D d, const Arrays& v, std::size_t i) {
   return {hn::Load(d, v[0] + i), hn::Load(d, v[1] + i), hn::Load(d, v[2] + i)};

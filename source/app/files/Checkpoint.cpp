@@ -32,10 +32,10 @@ std::string IdentityOf(const RenderOptions& options, const std::string& scene_ha
 }
 
 Checkpoint::Checkpoint(const FileOptions& files, const CheckpointOptions& options, bool is_of_course)
-    : picture_(files.picture),
-      has_picture_(IsFinishedPicture(picture_)),
-      beside_(CheckOutput(picture_ + ".checkpoint", InputsOf(files))),
-      aside_(CheckOutput(PartialName(picture_) + ".checkpoint", InputsOf(files))),
+    : image_name_(files.image),
+      has_image_(IsFinishedImage(image_name_)),
+      beside_(CheckOutput(image_name_ + ".checkpoint", InputsOf(files))),
+      aside_(CheckOutput(PartialName(image_name_) + ".checkpoint", InputsOf(files))),
       had_aside_(IsThere(aside_.target)) {
   if (const OutputFile* found = Found(); found && !options.resume && !options.restart)
     throw UsageError("there is a checkpoint of an earlier render, " + QuotedPath(found->name) + "; " +
@@ -49,8 +49,8 @@ const OutputFile* Checkpoint::Found() const {
 
 void Checkpoint::Save(const RenderState& state, const std::string& identity) {
   try {
-    WriteWhole(has_picture_ ? aside_ : beside_, Encoded(state, identity));
-    if (!has_picture_) RemoveFile(aside_.target);  // it went on from there, and must not go back to it
+    WriteWhole(has_image_ ? aside_ : beside_, Encoded(state, identity));
+    if (!has_image_) RemoveFile(aside_.target);  // the render continued from it, and must not go back to it
     RemoveCopy();
   } catch (const OutputError& error) {
     if (!error.kept_as.empty()) kept_as_ = error.kept_as;
@@ -82,11 +82,11 @@ void Checkpoint::Remove() {
   RemoveCopy();
 }
 
-void Checkpoint::PictureIsFinished(bool keep) {
+void Checkpoint::ImageIsFinished(bool keep) {
   std::error_code ignored;
   if (!keep) Remove();
-  if (keep && has_picture_) std::filesystem::rename(aside_.target, beside_.target, ignored);
-  if (had_aside_) RemoveFile(PartialName(picture_));
+  if (keep && has_image_) std::filesystem::rename(aside_.target, beside_.target, ignored);
+  if (had_aside_) RemoveFile(PartialName(image_name_));
 }
 
 void Checkpoint::RemoveCopy() {

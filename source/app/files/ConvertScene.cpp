@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where it really lies: what is found from there by a relative name depends on it.
+/// Returns the real path, on which relative names in the file depend.
 fs::path Canonical(const fs::path& target) {
   return fs::canonical(target.parent_path().empty() ? "." : target.parent_path()) / target.filename();
 }
@@ -25,17 +25,17 @@ std::span<const unsigned char> BytesOfText(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }
 
-/// The files of meshes have names that the user did not type: what lies there already stays, unless it is the same.
+/// Checks a mesh file, whose name the user did not type: an existing file with different content is not replaced.
 OutputFile CheckMesh(const fs::path& file, const std::string& content, std::span<const std::string> inputs) {
   OutputFile output = CheckOutput(file, inputs);
   std::ifstream there(output.target, std::ios::binary);
   if (there && std::string(std::istreambuf_iterator<char>(there), {}) != content)
     throw OutputError(QuotedPath(file.string()) +
-                      " already exists with different content; remove it, or give the scene another name");
+                      " already exists with different content; remove it, or use another name for the scene");
   return output;
 }
 
-void TellOfText(const ScnText& text, const std::string& name, bool quiet) {
+void WarnOfText(const ScnText& text, const std::string& name, bool quiet) {
   const std::string warning = Escaped(name) + ": warning: ";
   for (const std::string& what : text.warnings) PrintError(warning + what);
   if (quiet) return;
@@ -57,15 +57,15 @@ std::string WriteSceneAsScn(const Scene& scene, const OutputFile& output, bool q
   std::vector<OutputFile> meshes;
   for (const ScnText::Mesh& mesh : text.meshes)
     meshes.push_back(CheckMesh(output.target.parent_path() / mesh.name, mesh.text, scene.files));
-  std::string told;
+  std::string messages;
   const auto write = [&](const OutputFile& file, const std::string& content) {
     WriteWhole(file, BytesOfText(content));
-    told += "wrote " + QuotedPath(file.name) + "\n";
+    messages += "wrote " + QuotedPath(file.name) + "\n";
   };
   for (std::size_t i = 0; i < meshes.size(); ++i) write(meshes[i], text.meshes[i].text);
   write(output, text.text);
-  TellOfText(text, output.name, quiet);
-  return quiet ? std::string() : told;
+  WarnOfText(text, output.name, quiet);
+  return quiet ? std::string() : messages;
 }
 
 }  // namespace ray

@@ -7,14 +7,14 @@
 
 namespace ray {
 
-/// The file that -convert writes the scene into. Throws UsageError when its name is not one of .scn, OutputError when
-/// it cannot be written or is the scene itself.
+/// Returns the file into which -convert writes the scene. Throws UsageError if its name does not end in .scn,
+/// OutputError if it cannot be written or is the scene itself.
 OutputFile CheckScnOutput(const std::string& name, const std::string& scene);
 
-/// Writes the scene as .scn, and meshes that came from no file beside it; the scene last, so that when it is there,
-/// what it names is too. Says on standard error what cannot be said in .scn, and, unless quiet, what its reader must be
-/// allowed.
-///   returns   which files were written, in lines; empty when quiet
+/// Writes the scene as .scn, and meshes without a file next to it; the scene last, so that its meshes exist when it
+/// does. Warns on standard error about content that .scn cannot express and, unless quiet, about folders that its
+/// reader must be allowed to use.
+///   returns   which files were written, in lines; empty if quiet
 /// Throws SceneErrors and OutputError.
 std::string WriteSceneAsScn(const Scene& scene, const OutputFile& output, bool quiet);
 

@@ -19,13 +19,13 @@ namespace fs = std::filesystem;
   throw OutputError("cannot write " + Quoted(name) + ": " + reason, kept_as);
 }
 
-/// Where a chain of links ends; the end need not exist.
+/// Returns the end of a chain of links, which need not exist.
 fs::path FollowLinks(const std::string& name) {
   constexpr int most_links = 40;  // as the system itself allows
   fs::path path = name;
   std::error_code error;
   for (int i = 0; fs::is_symlink(fs::symlink_status(path, error)); ++i) {
-    if (i == most_links) Refuse(name, "its links lead nowhere");
+    if (i == most_links) Refuse(name, "it has too many levels of symbolic links");
     path = path.parent_path() / fs::read_symlink(path, error);
     if (error) Refuse(name, error.message());
   }
@@ -34,12 +34,12 @@ fs::path FollowLinks(const std::string& name) {
 
 void RefuseUnfitTarget(const OutputFile& output) {
   std::error_code error;
-  const fs::file_status status = fs::status(output.name, error);  // of a pipe's name in /dev/fd, too
+  const fs::file_status status = fs::status(output.name, error);  // also for the name of a pipe in /dev/fd
   if (status.type() == fs::file_type::not_found) return;
   if (error) Refuse(output.name, error.message());
   if (fs::is_directory(status)) Refuse(output.name, "it is a folder");
   if (!fs::is_regular_file(status)) Refuse(output.name, "it is not a regular file");
-  // The rename would succeed in a folder of ours; but who made the file read-only meant it.
+  // The rename would succeed in a folder of ours, but a read-only file is meant to be kept.
   if (faccessat(AT_FDCWD, output.target.c_str(), W_OK, AT_EACCESS) != 0)
     Refuse(output.name, std::generic_category().message(errno));
 }
@@ -50,7 +50,7 @@ void RefuseUnfitFolder(const OutputFile& output) {
   if (!folder.empty() && !fs::is_directory(folder, error))
     Refuse(output.name, "the folder " + Quoted(folder.string()) + " does not exist");
   if (output.target.filename().empty()) Refuse(output.name, "it names no file");
-  // The honest way to learn whether a folder takes files is to make one.
+  // The only reliable test of whether a folder accepts files is to create one.
   try {
     const TemporaryFile probe(output.target);
   } catch (const std::system_error& failure) {
@@ -58,14 +58,14 @@ void RefuseUnfitFolder(const OutputFile& output) {
   }
 }
 
-/// `replaced` is the file whose rights it gets.
+/// Writes a file with the permissions of `replaced`.
 void WriteAt(const fs::path& target, const fs::path& replaced, std::span<const unsigned char> bytes) {
   TemporaryFile file(target, replaced);
   file.Write(bytes);
   file.Become();
 }
 
-/// Throws the OutputError, which says where the bytes are now, or why they are nowhere.
+/// Saves the bytes elsewhere and throws an OutputError that states where they are, or why that failed.
 [[noreturn]] void KeepElsewhere(const OutputFile& output, std::span<const unsigned char> bytes,
                                 const std::string& reason) {
   std::error_code error;

@@ -7,32 +7,32 @@
 
 namespace ray {
 
-/// A place for a file, found fit to be written before the work that fills it begins.
+/// An output file, checked to be writable before the work that fills it begins.
 struct OutputFile {
   std::string name;              // as typed
-  std::filesystem::path target;  // the same, or what it leads to if it is a link
+  std::filesystem::path target;  // the same, or the target if it is a link
   bool is_link = false;
   bool is_standard_output = false;
 };
 
-/// Checks that `name` can be written: it is no folder, no device and none of `inputs`, its folder exists and takes new
-/// files. Removes temporaries that killed processes left for the same target. Throws OutputError.
+/// Checks that `name` can be written: it is not a folder, a device or one of `inputs`, and its folder exists and
+/// accepts new files. Removes temporary files that killed processes left for the same target. Throws OutputError.
 OutputFile CheckOutput(const std::string& name, std::span<const std::string> inputs);
 
-/// Throws OutputError when the output is one of the files.
+/// Throws OutputError if the output is one of the files.
 void RefuseInputs(const OutputFile& output, std::span<const std::string> inputs);
 
-/// Whether there is something of that name, as far as can be told.
+/// Returns true if a file with that name exists, as far as can be determined.
 bool IsThere(const std::filesystem::path& file);
 
-/// "out.depth.png" for "out.png" and "depth".
+/// Returns "out.depth.png" for "out.png" and "depth".
 std::string NameBeside(const std::string& name, const std::string& word);
 
-/// Writes the file whole or not at all. If that fails, the bytes are kept under the system's temporary folder instead,
-/// and the OutputError says where.
+/// Writes the file completely or not at all. If that fails, saves the bytes in the system's temporary folder instead,
+/// and throws an OutputError that states where.
 void WriteWhole(const OutputFile& output, std::span<const unsigned char> bytes);
 
-/// Writes to standard output. A reader that has closed its end has seen enough; any other failure is an OutputError.
+/// Writes to standard output. Ignores readers that have closed their end; any other failure is an OutputError.
 void WriteStandardOutput(const std::string& text);
 
 }  // namespace ray

@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "source/app/Status.h"
-#include "source/app/files/LayerPictures.h"
-#include "source/app/options/PictureName.h"
+#include "source/app/files/LayerImages.h"
+#include "source/app/options/ImageName.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/ReportJson.h"
@@ -33,24 +33,24 @@ std::span<const unsigned char> BytesOf(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }
 
-/// Standard output that is closed is found out before the work begins.
+/// Throws if standard output is closed, before the work begins.
 void RefuseClosedOutput() {
   const int flags = fcntl(STDOUT_FILENO, F_GETFL);
   if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY)
     throw OutputError("cannot write 'standard output': " + std::generic_category().message(EBADF));
 }
 
-PictureOutput StandardOutput() {
+ImageOutput StandardOutput() {
   RefuseClosedOutput();
   if (isatty(STDOUT_FILENO)) throw UsageError("the image would go to a terminal; redirect it, or name a file");
-  return {FormatOfPicture(standard_stream), {.name = "<stdout>", .target = {}, .is_standard_output = true}};
+  return {FormatOfImage(standard_stream), {.name = "<stdout>", .target = {}, .is_standard_output = true}};
 }
 
-/// Besides the picture a render writes files whose names nobody typed.
+/// Throws if the report has the name of a file that a render writes in addition to the image.
 void RefuseOwnFile(const OutputFile& report, const FileOptions& files) {
-  const std::string partial = PartialName(files.picture);
-  std::vector<std::string> names{partial, files.picture + ".checkpoint", partial + ".checkpoint"};
-  for (const Layer layer : files.layers) names.push_back(NameBeside(files.picture, NameOf(layer)));
+  const std::string partial = PartialName(files.image);
+  std::vector<std::string> names{partial, files.image + ".checkpoint", partial + ".checkpoint"};
+  for (const Layer layer : files.layers) names.push_back(NameBeside(files.image, NameOf(layer)));
   for (const std::string& name : names)
     if (report.target.lexically_normal() == std::filesystem::path(name).lexically_normal())
       throw UsageError("the report cannot be " + Quoted(report.name) + ": the render writes a file of that name");
@@ -58,9 +58,9 @@ void RefuseOwnFile(const OutputFile& report, const FileOptions& files) {
 
 }  // namespace
 
-std::string PartialName(const std::string& picture) { return NameBeside(picture, "partial"); }
+std::string PartialName(const std::string& image_name) { return NameBeside(image_name, "partial"); }
 
-bool IsFinishedPicture(const std::filesystem::path& file) {
+bool IsFinishedImage(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return false;
   try {
@@ -68,12 +68,12 @@ bool IsFinishedPicture(const std::filesystem::path& file) {
     const auto pixels = settings.find("pixels");
     return pixels == settings.end() || pixels->second == "complete";
   } catch (const std::exception&) {
-    return true;  // it is no picture, or cannot be read: somebody else's
+    return true;  // not an image, or unreadable: not ours
   }
 }
 
-/// Some formats hold no more than 65,535 pixels a side. They say so when asked to write a picture of one row or one
-/// column, and an hour of rendering is saved.
+/// Throws for sizes that the format cannot store; some are limited to 65,535 pixels per side. Encoding an image of one
+/// row or one column shows that before an hour of rendering.
 void RefuseSize(const R2::ImageFormat& format, int width, int height) {
   constexpr int every_format_holds = 32'767;
   try {
@@ -85,9 +85,9 @@ void RefuseSize(const R2::ImageFormat& format, int width, int height) {
   }
 }
 
-PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::string> inputs) {
+ImageOutput CheckImageOutput(const std::string& name, std::span<const std::string> inputs) {
   const R2::ImageFormat* const format = R2::FormatForName(name);
-  // Something that exists already and cannot be a picture, a folder or a device, is refused as what it is.
+  // An existing folder or device is rejected as such.
   std::error_code ignored;
   if (!format && !std::filesystem::exists(name, ignored)) RefuseExtension(name);
   const OutputFile file = CheckOutput(name, inputs);
@@ -95,10 +95,10 @@ PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::s
   return {format, file};
 }
 
-void TellOfLink(const Program& program, const OutputFile& picture) {
-  if (picture.is_link)
-    PrintError(NameOf(program) + ": " + Quoted(picture.name) + " is a link; the image goes to " +
-               QuotedPath(picture.target.string()));
+void WarnOfLink(const Program& program, const OutputFile& image) {
+  if (image.is_link)
+    PrintError(NameOf(program) + ": " + Quoted(image.name) + " is a link; the image goes to " +
+               QuotedPath(image.target.string()));
 }
 
 std::vector<std::string> InputsOf(const FileOptions& files) {
@@ -110,42 +110,42 @@ std::vector<std::string> InputsOf(const FileOptions& files) {
 
 Outputs CheckOutputs(const FileOptions& files, const PixelRectangle& part) {
   const std::vector<std::string> inputs = InputsOf(files);
-  const bool is_standard_output = files.picture == standard_stream;
-  const PictureOutput picture = is_standard_output ? StandardOutput() : CheckPictureOutput(files.picture, inputs);
+  const bool is_standard_output = files.image == standard_stream;
+  const ImageOutput image = is_standard_output ? StandardOutput() : CheckImageOutput(files.image, inputs);
   Outputs outputs;
-  outputs.format = picture.format;
-  outputs.picture = picture.file;
-  if (!is_standard_output) outputs.partial = CheckOutput(PartialName(files.picture), inputs);
+  outputs.format = image.format;
+  outputs.image = image.file;
+  if (!is_standard_output) outputs.partial = CheckOutput(PartialName(files.image), inputs);
 
   RefuseSize(*outputs.format, part.Width(), part.Height());
 
   if (!outputs.format->encode_layers)
     for (const Layer layer : files.layers)
-      outputs.layers.push_back(CheckOutput(NameBeside(files.picture, NameOf(layer)), inputs));
+      outputs.layers.push_back(CheckOutput(NameBeside(files.image, NameOf(layer)), inputs));
 
   if (files.report.empty()) return outputs;
   outputs.report = CheckOutput(files.report, inputs);
-  if (outputs.report->target == outputs.picture.target)
+  if (outputs.report->target == outputs.image.target)
     throw UsageError("the image and the report are the same file, " + Quoted(files.report));
   if (!is_standard_output) RefuseOwnFile(*outputs.report, files);
   return outputs;
 }
 
 void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs) {
-  RefuseInputs(outputs.picture, inputs);
+  RefuseInputs(outputs.image, inputs);
   RefuseInputs(outputs.partial, inputs);
   for (const OutputFile& layer : outputs.layers) RefuseInputs(layer, inputs);
   if (outputs.report) RefuseInputs(*outputs.report, inputs);
 }
 
-OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
-                        const RunStats& stats) {
-  const bool must_stay = !result.IsComplete() && IsFinishedPicture(outputs.picture.target);
-  const OutputFile& picture = must_stay ? outputs.partial : outputs.picture;
-  if (result.pixels_done == 0) return picture;
-  TellOfLink(*stats.options.program, picture);
+OutputFile WriteImage(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
+                      const RunStats& stats) {
+  const bool must_stay = !result.IsComplete() && IsFinishedImage(outputs.image.target);
+  const OutputFile& file = must_stay ? outputs.partial : outputs.image;
+  if (result.pixels_done == 0) return file;
+  WarnOfLink(*stats.options.program, file);
   const R2::ImageFormat& format = *outputs.format;
-  const R2::ImageSettings settings = SettingsInPicture(stats);
+  const R2::ImageSettings settings = SettingsInImage(stats);
   const std::vector<Layer>& kinds = stats.options.files.layers;
   const auto encode = [&](std::optional<RenderMode> mode, const R2::Image& image) {
     const R2::ImageEncoding& encoding = stats.options.encoding;
@@ -156,12 +156,12 @@ OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, cons
   if (format.encode_layers && !kinds.empty()) {
     std::vector<R2::ImageLayer> channels;
     for (std::size_t i = 0; i < layers.size(); ++i) channels.push_back(ChannelsOf(kinds[i], layers[i]));
-    WriteWhole(picture, format.encode_layers(result.image, channels, settings));
-    return picture;
+    WriteWhole(file, format.encode_layers(result.image, channels, settings));
+    return file;
   }
-  WriteWhole(picture, encode(stats.options.render.mode, result.image));
+  WriteWhole(file, encode(stats.options.render.mode, result.image));
   for (std::size_t i = 0; i < layers.size(); ++i) WriteWhole(outputs.layers[i], encode(ModeOf(kinds[i]), layers[i]));
-  return picture;
+  return file;
 }
 
 void WriteReport(const Outputs& outputs, const RunStats& stats) {

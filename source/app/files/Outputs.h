@@ -9,53 +9,56 @@
 
 namespace ray {
 
-/// A place for a picture, and the kind that its name asks for.
-struct PictureOutput {
+/// An output file for an image, and the format of its extension.
+struct ImageOutput {
   const R2::ImageFormat* format = nullptr;
   OutputFile file;
 };
 
-/// Throws UsageError when no kind has the extension, and OutputError.
-PictureOutput CheckPictureOutput(const std::string& name, std::span<const std::string> inputs);
+/// Checks the file and its format. Throws UsageError if no format has the extension, and OutputError.
+ImageOutput CheckImageOutput(const std::string& name, std::span<const std::string> inputs);
 
-/// Throws UsageError when the format cannot hold so many pixels a side.
+/// Throws UsageError if the format cannot store images of this size.
 void RefuseSize(const R2::ImageFormat& format, int width, int height);
 
-/// Says so when the name is a link, for the picture goes elsewhere then.
-void TellOfLink(const Program& program, const OutputFile& picture);
+/// Prints a message if the name is a link, since the image is then written elsewhere.
+void WarnOfLink(const Program& program, const OutputFile& image);
 
-/// Where an interrupted render leaves its picture when another has the name: "out.partial.png" for "out.png".
-std::string PartialName(const std::string& picture);
+/// Returns the name for the image of an interrupted render if another image has its name: "out.partial.png" for
+/// "out.png".
+std::string PartialName(const std::string& image_name);
 
-/// Whether something is there that an interrupted render must not replace: any file but one that says of itself that it
-/// is the picture of an interrupted render.
-bool IsFinishedPicture(const std::filesystem::path& file);
+/// Returns true if the file must not be replaced by an interrupted render: any file except one that states that it is
+/// the image of an interrupted render.
+bool IsFinishedImage(const std::filesystem::path& file);
 
-/// Where the results of a run go.
+/// The destinations of the results of a run.
 struct Outputs {
   const R2::ImageFormat* format = nullptr;
-  OutputFile picture;
-  OutputFile partial;  // gets the picture of an interrupted render where another stays, see IsFinishedPicture
+  OutputFile image;
+  OutputFile partial;  // for the image of an interrupted render if a finished one stays, see IsFinishedImage
   std::optional<OutputFile> report;
-  std::vector<OutputFile> layers;  // one for each of the options' layers, unless the picture holds them itself
+  std::vector<OutputFile> layers;  // one per layer of the options, unless the image contains them itself
 };
 
-/// The files that the command line has the render read. What the scene names besides is known once it is read.
+/// Returns the files that the command line makes the render read. Those named by the scene are known once it is read.
 std::vector<std::string> InputsOf(const FileOptions& files);
 
-/// Before anything is read: the picture has a known kind, which can hold its size, and all files can be written.
-///   part   of the picture, that is rendered
+/// Checks the outputs before anything is read: the image's format is known and supports its size, and all files can be
+/// written.
+///   part   the rendered part of the image
 /// Throws UsageError and OutputError.
 Outputs CheckOutputs(const FileOptions& files, const PixelRectangle& part);
 
-/// Throws OutputError when one of them is a file the scene was read from.
+/// Throws OutputError if one of them is a file from which the scene was read.
 void RefuseInputs(const Outputs& outputs, std::span<const std::string> inputs);
 
-/// A picture with nothing rendered is not written, and one of an interrupted render never in the place of another.
+/// Writes the image. An image without rendered pixels is not written, and that of an interrupted render never replaces
+/// another.
 ///   layers    one image for each of the options' layers
-///   returns   where the picture went
-OutputFile WritePicture(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
-                        const RunStats& stats);
+///   returns   the file that was written
+OutputFile WriteImage(const Outputs& outputs, const RenderResult& result, const std::vector<R2::Image>& layers,
+                      const RunStats& stats);
 void WriteReport(const Outputs& outputs, const RunStats& stats);
 
 }  // namespace ray

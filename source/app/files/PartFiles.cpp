@@ -27,13 +27,13 @@ namespace {
 
 constexpr const char* byte_order = std::endian::native == std::endian::little ? "little-endian" : "big-endian";
 constexpr std::string_view first_word = "raypro ", plan_title = "plan after ";
-constexpr std::size_t most_compressed = 1032;  // times that deflate can make bytes fewer
+constexpr std::size_t most_compressed = 1032;  // the largest compression ratio of deflate
 
 std::string TitleOf(const ImagePart& part) {
   return "part " + std::to_string(part.index) + " of " + std::to_string(part.of);
 }
 
-/// The head of a file is a line "raypro part 3 of 8, little-endian, 123456 bytes".
+/// Returns a compressed file. Its head is a line "raypro part 3 of 8, little-endian, 123456 bytes".
 std::vector<unsigned char> Packed(const std::string& title, const std::vector<unsigned char>& bytes) {
   const std::string head =
       std::string(first_word) + title + ", " + byte_order + ", " + std::to_string(bytes.size()) + " bytes\n";
@@ -51,7 +51,7 @@ struct Unpacked {
   std::vector<unsigned char> bytes;
 };
 
-/// The text up to the next of `end`, which it removes with it.
+/// Returns the text up to the next `end`, and removes both.
 std::string TakeUpTo(std::string_view end, std::string_view& text) {
   const std::size_t at = text.find(end);
   if (at == std::string_view::npos) throw CheckpointError("it is truncated or damaged");
@@ -60,7 +60,7 @@ std::string TakeUpTo(std::string_view end, std::string_view& text) {
   return taken;
 }
 
-/// Throws CheckpointError for anything but what Packed gave.
+/// Unpacks a file of Packed; throws CheckpointError for anything else.
 Unpacked UnpackedFrom(std::string_view text) {
   if (!text.starts_with(first_word)) throw CheckpointError("it is truncated or damaged");
   text.remove_prefix(first_word.size());
@@ -95,7 +95,7 @@ std::optional<ImagePart> PartTitled(const std::string& title) {
   return part;
 }
 
-/// How many seconds after the beginning of its render a plan was written.
+/// Returns the number of seconds after the start of its render at which a plan was written.
 double SecondsTitled(const std::string& title) {
   const bool is_plan = title.starts_with(plan_title);
   const char *begin = title.data() + (is_plan ? plan_title.size() : 0), *end = title.data() + title.size();
@@ -106,7 +106,7 @@ double SecondsTitled(const std::string& title) {
   return seconds;
 }
 
-/// Returns the text as a part of a pattern in which these characters stand for themselves.
+/// Returns the text escaped for a pattern, so that these characters are literal.
 std::string Literal(const std::string& text, std::string_view special) {
   std::string pattern;
   for (const char letter : text) {
@@ -130,18 +130,18 @@ std::vector<std::string> Matches(const std::string& pattern) {
 
 }  // namespace
 
-std::string PartName(const std::string& picture, const ImagePart& part) {
-  return picture + ".part-" + std::to_string(part.index) + "-of-" + std::to_string(part.of);
+std::string PartName(const std::string& image_name, const ImagePart& part) {
+  return image_name + ".part-" + std::to_string(part.index) + "-of-" + std::to_string(part.of);
 }
 
-std::string PlanName(const std::string& picture) { return picture + ".plan"; }
+std::string PlanName(const std::string& image_name) { return image_name + ".plan"; }
 
-std::vector<std::string> FilesLike(const std::string& pattern, const std::string& picture) {
+std::vector<std::string> FilesLike(const std::string& pattern, const std::string& image_name) {
   if (IsThere(pattern)) return {pattern};
   const std::size_t at = pattern.rfind('/') + 1;  // 0 without a folder
   std::string begin = pattern.substr(0, at), rest = pattern.substr(at);
   if (IsThere(begin)) begin = Literal(begin, "*?[\\");
-  const std::string own = std::filesystem::path(picture).filename().string();
+  const std::string own = std::filesystem::path(image_name).filename().string();
   if (rest.starts_with(own)) {
     begin += Literal(own, "*?[\\");
     rest.erase(0, own.size());
@@ -150,8 +150,8 @@ std::vector<std::string> FilesLike(const std::string& pattern, const std::string
   return names.empty() ? Matches(begin + rest) : names;
 }
 
-PartReader::PartReader(const RenderSettings& settings, const std::string& picture, const std::string& identity)
-    : settings_(settings), picture_(picture), identity_(identity), film_(EmptyFilmOf(settings)) {}
+PartReader::PartReader(const RenderSettings& settings, const std::string& image_name, const std::string& identity)
+    : settings_(settings), image_name_(image_name), identity_(identity), film_(EmptyFilmOf(settings)) {}
 
 const std::vector<int>& PartReader::PartsOf(int of) {
   if (of != of_) parts_ = PartsOfBlocks(film_, of);
@@ -179,7 +179,7 @@ std::optional<PartFile> PartReader::Read(const std::string& name) {
   } catch (const OtherImageError& error) {
     RefusePart(name, error.what());
   } catch (const CheckpointError& error) {
-    PrintError(QuotedPath(name) + ": warning: " + error.what() + "; what it held is rendered again");
+    PrintError(QuotedPath(name) + ": warning: " + error.what() + "; its content is rendered again");
     return {};
   } catch (const SceneErrors&) {
     if (IsThere(name)) throw;
@@ -198,12 +198,12 @@ Plan PartReader::ReadPlan(const std::string& name) const {
 }
 
 RenderState PartReader::Round() const {
-  const std::string name = PlanName(picture_);
+  const std::string name = PlanName(image_name_);
   return IsThere(name) ? ReadPlan(name).state : FirstRound(settings_, film_);
 }
 
 std::optional<double> PartReader::SecondsSinceBegin() const {
-  const std::string name = PlanName(picture_);
+  const std::string name = PlanName(image_name_);
   if (!IsThere(name)) return {};
   const std::chrono::duration<double> since =
       TemporaryFile(name).Time() - std::filesystem::last_write_time(name);
@@ -229,7 +229,7 @@ RenderState PartReader::Joined(const std::vector<std::string>& names, int of) {
     const auto [earlier, is_new] = known.try_emplace(index, now);
     if (!is_new && !Agree(round, file->state))
       RefusePart(name, "it differs from " + QuotedPath(earlier->second.file) +
-                           ", which is the same part; remove the one that is wrong");
+                           ", which is the same part; remove the wrong one");
     if (!is_new && now.samples <= earlier->second.samples) continue;
     earlier->second = now;
     TakeBlocks(round, std::move(file->state), index, PartsOf(of));
@@ -239,7 +239,7 @@ RenderState PartReader::Joined(const std::vector<std::string>& names, int of) {
 }
 
 RenderState StateOfParts(PartReader&& reader, const std::string& pattern) {
-  const std::vector<std::string> names = FilesLike(pattern, reader.Picture());
+  const std::vector<std::string> names = FilesLike(pattern, reader.ImageName());
   if (names.empty())
     PrintError("raypro: warning: no file is named " + Quoted(pattern) + "; the whole image is rendered here");
   return reader.Joined(names, 0);
@@ -250,13 +250,13 @@ PartWriter::PartWriter(const RenderSettings& settings, const FileOptions& files,
 
 void PartWriter::WritePart(RenderState&& state) const {
   const ImagePart& part = *settings_.part;
-  WriteWhole(CheckOutput(PartName(files_.picture, part), InputsOf(files_)),
+  WriteWhole(CheckOutput(PartName(files_.image, part), InputsOf(files_)),
              Packed(TitleOf(part), Encoded(ForPartFile(std::move(state)), identity_)));
 }
 
 void PartWriter::WritePlan(RenderState&& state, double seconds) const {
   const Film film = EmptyFilmOf(settings_);
-  WriteWhole(CheckOutput(PlanName(files_.picture), InputsOf(files_)),
+  WriteWhole(CheckOutput(PlanName(files_.image), InputsOf(files_)),
              Packed(std::string(plan_title) + Fixed(seconds, 3) + " s",
                     Encoded(WithoutSamples(std::move(state), film), identity_)));
 }

@@ -15,7 +15,7 @@ namespace {
 
 std::string SizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-/// Refused by its header where its size is another: a small file can hold a large image.
+/// Reads a reference. Wrong sizes are rejected by the header, since a small file can contain a large image.
 R2::Image ReadReference(const std::string& name, const PixelRectangle& part) {
   const std::string text = Contents(name);
   const std::span bytes(reinterpret_cast<const unsigned char*>(text.data()), text.size());

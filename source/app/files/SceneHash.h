@@ -6,9 +6,9 @@
 
 namespace ray {
 
-/// 16 hexadecimal digits that tell one version of a scene from another: the bytes of the files it was read from, one
-/// after the other, hashed by Hash. A file that is gone counts as empty.
-/// `texts`: of the first files, as a viewer that edits them has them, in place of those of the disk.
+/// Returns 16 hexadecimal digits that identify a version of a scene: the Hash of the bytes of its files in order. A
+/// missing file counts as empty.
+/// `texts`: the edited text of the first files, used in place of those on disk.
 std::string SceneHash(std::span<const std::string> files, std::span<const std::string_view> texts = {});
 
 }  // namespace ray

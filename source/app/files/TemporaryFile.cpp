@@ -24,17 +24,17 @@ namespace fs = std::filesystem;
 
 fs::path Folder(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
 
-/// ".out.jpg.raypro-": what the temporaries of a target have in common. Very long names are cut, for the rest to fit;
-/// two targets that then share their temporaries' names lose nothing, for only dead files are removed.
+/// Returns ".out.jpg.raypro-", the common prefix of the temporary files of a target. Very long names are truncated. Two
+/// targets with a common prefix do no harm, since only abandoned files are removed.
 std::string Prefix(const fs::path& target) {
-  constexpr std::size_t longest = 200;  // of the 255 bytes that file systems give
+  constexpr std::size_t longest = 200;  // of the 255 bytes that file systems allow
   return "." + target.filename().string().substr(0, longest) + ".raypro-";
 }
 
 constexpr const char* suffix = ".tmp";
 
-/// A rename outlives a failing computer only once its folder is on the disk too. Some file systems cannot sync a
-/// folder; the picture is in place by then, so that is no failure.
+/// Flushes the folder to the disk, without which a rename does not survive a crash of the computer. Some file systems
+/// cannot sync a folder; the image is in place by then, so that is not a failure.
 void SyncFolder(const fs::path& folder) {
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -42,16 +42,17 @@ void SyncFolder(const fs::path& folder) {
   close(descriptor);
 }
 
-/// Whether the name still leads to the open file. Takes no memory: a file just created must not stay behind because
-/// there is none.
+/// Returns true if the name still refers to the open file. Allocates nothing: a new file must not be left behind
+/// because memory ran out.
 bool IsNameOf(const char* file, int descriptor) {
   struct stat named = {}, opened = {};
   return lstat(file, &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_dev == opened.st_dev &&
          named.st_ino == opened.st_ino;
 }
 
-// Whoever writes a file holds its lock from before the first byte until the rename. So a file that can be locked, and
-// has its name still, is dead, or so new that its maker is waiting for the lock and will see that the name is gone.
+// A writer holds the lock of its file from before the first byte until the rename. So a file that can be locked and
+// still has its name is abandoned, or so new that its creator is waiting for the lock and will see that the name is
+// gone.
 void RemoveIfDead(const std::string& file) {
   const int descriptor = open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -65,9 +66,9 @@ std::optional<struct stat> StatusOfFile(const fs::path& file) {
   return status;
 }
 
-/// Gives an open file the owner, the group and the mode bits of another. Only the superuser may give a file away, and
-/// others may only choose one of their own groups; where the group stays another one, its members get no more rights
-/// than everybody. A file system that knows no rights costs no picture.
+/// Gives an open file the owner, the group and the mode bits of another. Only the superuser may change the owner, and
+/// others may only choose one of their own groups; if the group cannot be set, it gets only the permissions of others.
+/// File systems without permissions are not an error.
 void Resemble(int descriptor, const struct stat& other) {
   constexpr auto unchanged = static_cast<uid_t>(-1);
   mode_t mode = other.st_mode & 0777;
@@ -81,11 +82,11 @@ void Resemble(int descriptor, const struct stat& other) {
 
 TemporaryFile::TemporaryFile(const fs::path& target, const fs::path& replaced) : target_(target) {
   const auto before = StatusOfFile(replaced);
-  // Nobody else reads it before it has the rights that it is to have.
+  // Nobody else may read it before its final permissions are set.
   const unsigned mode = before ? 0600 : 0666;
   const std::string start = (Folder(target) / Prefix(target)).string() + std::to_string(getpid());
   name_ = start + suffix;
-  // The name is taken when a process of the same number works on the same folder from another container.
+  // The name is taken if a process with the same number works on the same folder in another container.
   constexpr int most_attempts = 100;
   for (int attempt = 2; !CreateAndLock(mode); ++attempt) {
     if (attempt > most_attempts) ThrowErrno();
@@ -94,7 +95,7 @@ TemporaryFile::TemporaryFile(const fs::path& target, const fs::path& replaced) :
   if (before) Resemble(descriptor_, *before);
 }
 
-// False when the name is taken. Where the file system has no locks nobody can remove the file as left over either.
+// Returns false if the name is taken. On file systems without locks, nobody can remove the file as abandoned either.
 bool TemporaryFile::CreateAndLock(unsigned mode) {
   descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
   if (descriptor_ < 0 && errno == EEXIST) return false;
@@ -126,9 +127,9 @@ void TemporaryFile::Write(std::span<const unsigned char> bytes) {
 }
 
 void TemporaryFile::Become() {
-  // EINVAL: this file system keeps nothing that could be flushed.
+  // EINVAL: this file system has nothing to flush.
   if (fsync(descriptor_) != 0 && errno != EINVAL) ThrowErrno();
-  // Closing has to be checked before the rename, and would open the lock. A lock is shared by copies of a descriptor.
+  // Closing must be checked before the rename, but would release the lock. Copies of a descriptor share the lock.
   const int copy = dup(descriptor_);
   if (copy < 0) ThrowErrno();
   Close(std::exchange(descriptor_, copy));
@@ -138,14 +139,14 @@ void TemporaryFile::Become() {
   SyncFolder(Folder(target_));
 }
 
-// Closing can report a write that failed late, on network file systems above all.
+// Closing can report a delayed write error, especially on network file systems.
 void TemporaryFile::Close(int descriptor) {
   if (close(descriptor) != 0 && errno != EINTR) ThrowErrno();
 }
 
 void RemoveLeftOvers(const fs::path& target) {
   const std::string prefix = Prefix(target), folder = Folder(target).string();
-  // Not by std::filesystem's iterator, which ends the program where memory ends.
+  // std::filesystem's iterator would end the program if memory runs out.
   const std::unique_ptr<DIR, int (*)(DIR*)> listing(opendir(folder.c_str()), closedir);
   if (!listing) return;
   while (const dirent* entry = readdir(listing.get())) {

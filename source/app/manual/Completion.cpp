@@ -10,14 +10,14 @@
 namespace ray {
 namespace {
 
-/// The words with blanks, or something else, between them.
+/// Returns the words separated by blanks, or by `between`.
 std::string Joined(const std::vector<std::string>& words, const std::string& between = " ") {
   std::string line;
   for (const std::string& word : words) line += (line.empty() ? "" : between) + word;
   return line;
 }
 
-/// The options of a command, or those of the program itself: with a dash each.
+/// Returns the options of a command, or those of the program itself, each with a dash.
 std::vector<std::string> OptionNames(const Program& program, const CommandKind* command) {
   std::vector<std::string> names;
   for (const OptionKind& option : OptionTable(program))
@@ -25,7 +25,7 @@ std::vector<std::string> OptionNames(const Program& program, const CommandKind* 
   return names;
 }
 
-/// Without dots: "png"; empty where a file may be called anything, and for folders.
+/// Returns the extensions without dots: "png"; empty for files of any name, and for folders.
 std::vector<std::string> ExtensionsOf(FileKind kind) {
   std::vector<std::string> extensions;
   const auto add = [&](std::string extension) {
@@ -43,7 +43,7 @@ std::vector<std::string> ExtensionsOf(FileKind kind) {
   return extensions;
 }
 
-/// What the files named first are; raypro writes an image after its scene.
+/// Returns the kind of the files that come first; raypro writes an image after its scene.
 FileKind FirstFiles(const Program& program) { return program.commands().empty() ? FileKind::scene : FileKind::image; }
 
 bool IsListOfNames(const OptionKind& option) {
@@ -55,7 +55,7 @@ std::string Offer(const std::vector<std::string>& words) {
   return "COMPREPLY=($(compgen -W '" + Joined(words) + "' -- \"$word\"))";
 }
 
-/// Offers what may come behind the last comma.
+/// Offers completions for the part after the last comma.
 std::string OfferInList(const std::vector<std::string>& words) {
   return "COMPREPLY=($(compgen -P \"${word%\"${word##*,}\"}\" -W '" + Joined(words) + "' -- \"${word##*,}\"))";
 }
@@ -66,7 +66,7 @@ std::string OfferFiles(const Program& program, FileKind kind) {
   return "_" + NameOf(program) + "_files '" + Joined(ExtensionsOf(kind), "|") + "'";
 }
 
-/// Offers what an option takes; nothing where that is a number.
+/// Offers the values of an option; nothing for a number.
 std::string BashArgument(const Program& program, const OptionKind& option) {
   const auto values = NamedValues(option);
   if (IsListOfNames(option)) return OfferInList(values) + "; ";
@@ -75,7 +75,7 @@ std::string BashArgument(const Program& program, const OptionKind& option) {
   return kind ? OfferFiles(program, *kind) + "; " : "";
 }
 
-/// Offers options: those of the command that came first, where the program has commands.
+/// Offers options: those of the first command, if the program has commands.
 std::string BashOptions(const Program& program) {
   if (program.commands().empty()) return "    " + Offer(OptionNames(program, nullptr)) + "\n";
   std::string text = "    case ${COMP_WORDS[1]} in\n";
@@ -84,7 +84,7 @@ std::string BashOptions(const Program& program) {
   return text + "      *) " + Offer(OptionNames(program, nullptr)) + " ;;\n    esac\n";
 }
 
-/// Offers what is no option: commands, scenes, and images once a scene is named, unless there may be several.
+/// Offers words other than options: commands, scenes, and images once a scene is named, unless there may be several.
 std::string BashNames(const Program& program) {
   std::string text;
   if (!program.commands().empty())
@@ -95,7 +95,7 @@ std::string BashNames(const Program& program) {
   return text + "  else\n    " + OfferFiles(program, FirstFiles(program)) + "\n  fi\n";
 }
 
-/// A function that offers folders, and the files of some extensions in any letter case.
+/// Returns a function that offers folders, and files with certain extensions in any letter case.
 std::string BashFiles(const std::string& name) {
   return "_" + name +
          "_files() {\n"
@@ -115,7 +115,7 @@ std::string BashCompletion(const Program& program) {
   for (const OptionKind& option : OptionTable(program))
     if (MostArguments(option) > 0)
       cases += "    -" + std::string(option.name) + ") " + BashArgument(program, option) + "return ;;\n";
-  // Bash takes "-bits=8" for three words.
+  // Bash splits "-bits=8" into three words.
   return BashFiles(name) + "_" + name +
          "() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"

@@ -7,7 +7,7 @@
 
 namespace ray {
 
-/// The script that teaches bash the program's options.
+/// Returns the bash completion script for the program's options.
 std::string BashCompletion(const Program& program);
 
 }  // namespace ray

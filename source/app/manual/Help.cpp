@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "source/app/files/LayerPictures.h"
+#include "source/app/files/LayerImages.h"
 #include "source/app/options/Comp30019.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/ReportFields.h"
@@ -12,7 +12,7 @@ namespace ray {
 
 namespace {
 
-/// A cell of a table in Markdown, with its right border; a bar within the text is escaped, which would end it.
+/// Returns a cell of a Markdown table with its right border; a bar within the text is escaped.
 std::string MarkdownCell(const std::string& text) {
   std::string cell;
   for (const char c : text) cell += c == '|' ? "\\|" : std::string(1, c);
@@ -23,14 +23,14 @@ std::string MarkdownCode(const std::string& text) { return text.empty() ? "" : "
 
 constexpr std::size_t column_of_help = 26;
 
-/// "a whole number, at least 1 pixels; default 256"
+/// Returns "a whole number, at least 1 pixels; default 256".
 std::string RangeAndDefault(const OptionKind& option, const Options& defaults) {
   const std::string range = Range(option), value = defaults.Show(option);
   if (range.empty() || value.empty()) return range + value;
   return range + "; default " + value;
 }
 
-/// The name, and in its column what it means.
+/// Returns the name, followed by its meaning in a fixed column.
 std::string Entry(const std::string& name, const std::string& help) {
   const std::string line = "  " + name;
   const bool fits = line.size() + 2 <= column_of_help;
@@ -38,7 +38,7 @@ std::string Entry(const std::string& name, const std::string& help) {
          help + "\n";
 }
 
-/// In lines that fit a screen, each but the first indented to the column.
+/// Wraps text to fit a screen, with all lines but the first indented to the column.
 std::string Wrapped(const std::string& text) {
   constexpr std::size_t screen = 120;
   std::string lines;
@@ -79,7 +79,7 @@ std::string CommandList(const Program& program) {
   return text.empty() ? "" : "commands:\n" + text + "\n";
 }
 
-/// Nothing when there is no such topic.
+/// Returns the help for a topic; empty if there is no such topic.
 std::string TopicHelp(const Program& program, const std::string& topic) {
   std::string text;
   for (const OptionKind& option : OptionTable(program))
@@ -109,7 +109,7 @@ std::string MarkdownRow(const OptionKind& option, const Options& defaults) {
 
 bool IsRaypros(const OptionKind& option) { return option.known_to == KnownTo::both || option.known_to == KnownTo::all; }
 
-/// Names of the options that raypro has as well, a line per topic.
+/// Returns the names of the options that raypro has as well, one line per topic.
 std::string SharedOptions(const Program& program) {
   std::string text, topic;
   for (const OptionKind& option : OptionTable(program)) {
@@ -128,7 +128,7 @@ std::string MarkdownStatuses(const Program& program) {
   return table;
 }
 
-/// Channels of an EXR and keys of a report.
+/// Returns the channels of an EXR and the keys of a report.
 std::string MarkdownOutputs() {
   std::string text = "\n| layer in an EXR | channels |\n|---|---|\n";
   for (const auto& [layer, channels] : ChannelsOfLayers())

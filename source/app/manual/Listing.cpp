@@ -20,7 +20,7 @@ std::string Line(std::string name, const std::string& about) {
   return "  " + name + about + "\n";
 }
 
-/// "sphere x y z r" for a kind of shape or light, whose ArgumentNames are these.
+/// Returns "sphere x y z r" for a kind of shape or light with these ArgumentNames.
 template <class Kind>
 std::string LineWithArguments(const Kind& kind, const std::string& names) {
   return Line(kind.name, std::string(kind.about) + " (" + names.substr(1) + ")");
@@ -104,7 +104,7 @@ std::string Indented(const std::vector<std::string>& lines) {
 
 struct Subject {
   const char* name;
-  std::string (*list)();  // null for the keys of the viewer, which only that knows
+  std::string (*list)();  // null for the keys of the viewer, which only that program has
 };
 
 constexpr Subject list_subjects[] = {
@@ -112,7 +112,8 @@ constexpr Subject list_subjects[] = {
     {"modes", Modes},         {"images", Images}, {"scenes", Scenes},           {"commands", SceneCommands},
     {"presets", PresetLines}, {"keys", nullptr}};
 
-/// Presets are values of an option that only raypro has; keys are pressed in a window.
+/// Returns true if the program has the subject: presets are values of an option that only raypro has; keys need a
+/// window.
 bool Knows(const Program& program, const Subject& subject) {
   return program == Program::raypro ? subject.list != nullptr : subject.list != PresetLines;
 }

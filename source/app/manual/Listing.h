@@ -7,11 +7,11 @@
 
 namespace ray {
 
-/// What -list can list.
+/// Returns the subjects of -list.
 std::vector<std::string> ListSubjects(const Program& program);
 
-/// The names of one subject with what they are, or of all of them when `subject` is empty. `keys`: what the keys of the
-/// viewer do, in lines; none for programs without a window.
+/// Returns the names of one subject with descriptions, or of all subjects if `subject` is empty. `keys`: descriptions
+/// of the viewer's keys, in lines; empty for programs without a window.
 std::string Listing(const Program& program, const std::string& subject, const std::vector<std::string>& keys = {});
 
 }  // namespace ray

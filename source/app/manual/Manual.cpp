@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "source/app/files/LayerPictures.h"
+#include "source/app/files/LayerImages.h"
 #include "source/app/manual/Help.h"
 #include "source/app/manual/SceneManual.h"
 #include "source/app/options/OptionTable.h"
@@ -19,7 +19,7 @@ std::string Roff(const std::string& text) {
     if (c == '\\')
       roff += "\\e";
     else if (c == '^')
-      roff += "\\(ha";  // an accent otherwise
+      roff += "\\(ha";  // otherwise an accent
     else
       roff += c == '-' ? "\\-" : std::string(1, c);
   }
@@ -61,7 +61,7 @@ std::string SceneLanguages() {
   return ".SH SCENES\nFiles .scn are in the language described in\n.BR scn (5).\n" +
          Roff(
              "Files .yaml and .yml are in the language of Groningen's course, files .txt in that of COMP30019; files "
-             ".json are in that of CS 315 or in Groningen's, which their keys tell apart. -format names the language "
+             ".json are in that of CS 315 or in Groningen's, depending on their keys. -format names the language "
              "otherwise: scn, groningen, cs315 or comp30019.\n") +
          "A file with the extension of a mesh is a scene of that mesh alone.\n";
 }
@@ -83,9 +83,9 @@ std::string UpperCase(std::string text) {
   return text;
 }
 
-/// What only raypro writes.
+/// Returns the sections about files that only raypro writes.
 std::string OutputSections() {
-  std::string text = ".SH LAYERS\nAn EXR has each of \\-layers in channels of its own, as floating-point numbers:\n";
+  std::string text = ".SH LAYERS\nAn EXR stores each of \\-layers in separate floating-point channels:\n";
   for (const auto& [layer, channels] : ChannelsOfLayers()) text += ".TP\n.B " + layer + "\n" + channels + "\n";
   text += ".SH REPORT\n\\-report writes a JSON object with these keys:\n";
   for (const auto& [name, meaning] : ReportFields())
@@ -95,7 +95,7 @@ std::string OutputSections() {
 
 constexpr std::pair<const char*, const char*> environment[] = {
     {"NO_COLOR", "No color on the terminal."},
-    {"TMPDIR", "Where an image is saved that cannot be written where it should be."},
+    {"TMPDIR", "The folder for an image that cannot be written to its place."},
 };
 
 }  // namespace
@@ -114,7 +114,7 @@ std::string ManualPage(const Program& program) {
          "\n.RI [ options ]\n.SH DESCRIPTION\n" + Roff(program.description) +
          (takes_scene ? "File name extensions choose the formats;\n.B " + name + " \\-list\nlists them.\n" : "") +
          "Options and names come in any order; \\-name value, \\-\\-name value and \\-name=value mean the same.\n"
-         "An image is written to a temporary file beside its name and renamed when it is complete.\n" +
+         "An image is written to a temporary file in the same folder and renamed when it is complete.\n" +
          (program == Program::raypro ? interruption : "") + CommandSections(program) + ".SH OPTIONS\n" +
          Entries(program) + (takes_scene ? SceneLanguages() : "") +
          (program == Program::raypro ? OutputSections() : "") + ".SH EXIT STATUS\n" + Tagged(program.statuses) +

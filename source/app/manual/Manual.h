@@ -7,18 +7,18 @@
 
 namespace ray {
 
-/// The manual page raypro.1 or rayview.1, in the language of the man macros.
+/// Returns the manual page raypro.1 or rayview.1, as troff source with man macros.
 std::string ManualPage(const Program& program);
 
-/// The pages that -man can be asked for besides the program's own.
+/// Returns the names of the pages that -man accepts in addition to the program's own.
 std::vector<std::string> ManualPages();
-/// One of them, or the program's own when `name` is empty.
+/// Returns one of them, or the program's own if `name` is empty.
 std::string ManualPage(const std::string& name, const Program& program);
 
-/// Text as roff takes it literally: a backslash and a dash are escaped, a line never starts with a control character.
+/// Escapes text for roff: backslashes and dashes, and control characters at the start of a line.
 std::string Roff(const std::string& text);
 
-/// Paragraphs, each with a bold word or two before it: pairs of both.
+/// Returns paragraphs, each preceded by a bold tag: pairs of tag and text.
 template <class List>
 std::string Tagged(const List& list) {
   std::string text;

@@ -12,7 +12,7 @@
 namespace ray {
 namespace {
 
-/// Paragraphs, one a line of the text.
+/// Returns paragraphs, one per line of the text.
 std::string Paragraphs(const std::string& text) {
   std::string roff;
   for (const char c : Roff(text)) roff += c == '\n' ? std::string("\n.PP\n") : std::string(1, c);
@@ -43,11 +43,11 @@ std::string ImageExtensions() {
 
 constexpr const char* lexical =
     "A file is a sequence of words separated by white space; line breaks are not significant. A statement is a command "
-    "and as many numbers and names as it takes.\n"
+    "followed by its numbers and names.\n"
     "A # that begins a word, or follows a number or a command, starts a comment, which ends with the line.\n"
     "Commands are in lower case. Numbers are decimal, such as 2, -.5, +20 or 1e-3; angles are in radians. Colors are "
-    "three numbers, red, green and blue, that may exceed 1. A name of a file that holds blanks or a # stands in "
-    "quotes, as in "
+    "three numbers, red, green and blue, that may exceed 1. A file name that contains blanks or a # is written "
+    "in quotes, as in "
     "\"my wood.png\"; \\\" is a quote in it, \\\\ a backslash, \\n the end of a line.\n"
     "A formula in parentheses, which ends on its line, stands for a number: (1/3), ($day * 12 + 30) with the value of "
     "a variable that define has named. It has pi, + - * /, ^ with whole exponents up to 64, sin, cos and tan of "
@@ -56,10 +56,10 @@ constexpr const char* lexical =
     "backgrounds, ambients or environments the last one counts.\n";
 
 constexpr const char* placing =
-    "A matrix has 16 numbers, row by row, and moves points written as columns: the fourth column is the translation. "
-    "Its last row is 0 0 0 1. Groups may hold groups; what is inside is placed by the inner matrix first.\n"
-    "Instead of a matrix, begin takes words, or none at all, each of which moves what the words behind it have "
-    "placed: begin -1 translate 0 1 0 rotate 45 0 1 0 scale 2 makes its shapes twice as large, turns them by 45 "
+    "A matrix has 16 numbers, row by row, and transforms points written as columns: the fourth column is the "
+    "translation. Its last row is 0 0 0 1. Groups may contain groups; the inner matrix applies first.\n"
+    "Instead of a matrix, begin takes any number of transform words, which apply from right to left: "
+    "begin -1 translate 0 1 0 rotate 45 0 1 0 scale 2 makes its shapes twice as large, turns them by 45 "
     "degrees about the y axis, counter-clockwise seen from above, and then lifts them by 1. look_at brings the "
     "origin to ex ey ez and turns the z axis towards the point tx ty tz, y as near to ux uy uz as it can be.\n"
     "Cameras, lights and what surrounds the scene are never moved by a group.\n"
@@ -75,7 +75,7 @@ constexpr std::pair<const char*, const char*> material_words[] = {
     {"ka", "Weight of the ambient light, added once."},
     {"kd", "Diffuse weight, multiplied by the cosine and by the texture, where there is one."},
     {"ks", "Weight of the highlights of lights and of the mirrored ray; see below for each mode."},
-    {"kt", "Weight of what is seen through the surface, at each surface crossed."},
+    {"kt", "Weight of the transmitted light, at each surface crossed."},
     {"e", "Emission: always added. What emits is a lamp as well, see LAMPS."},
     {"n", "Phong's exponent of the highlight, at least 0."},
     {"ir", "Index of refraction against 1 outside; 0 means 1."},
@@ -86,7 +86,7 @@ constexpr std::pair<const char*, const char*> material_words[] = {
 };
 
 constexpr const char* about_ids =
-    "Materials are numbered from 0 as they appear, anew in each file. Any negative mat_id inherits that of the group "
+    "Materials are numbered from 0 in the order of each file. Any negative mat_id inherits that of the group "
     "around; at the top level of a file, an included one too, it means a gray: ka .2, kd .5, ks .5, n 10.\n"
     "kd (N.L) + ks (V.R)^n of each light that is not in shadow is added, without a factor of 1/pi or any "
     "normalization; then ks times what the mirrored ray sees and kt times what the refracted ray sees.\n"
@@ -117,9 +117,9 @@ constexpr const char* about_lamps =
     "meshes are as many lamps as they have triangles.\n";
 
 constexpr const char* about_files =
-    "Files that a scene names are looked for in the folder of the file that names them, then in the current folder, "
+    "Files that a scene names are searched in the folder of the file that names them, then in the current folder, "
     "and must lie below the top scene's folder or the current one, unless -allow_path opens another. A name such as "
-    "../textures/wood.png that leads to no file is looked for as textures/wood.png too, with a warning.\n";
+    "../textures/wood.png that does not exist is also searched as textures/wood.png, with a warning.\n";
 
 constexpr std::pair<const char*, const char*> extensions[] = {
     {"mesh id file smooth",
@@ -127,13 +127,13 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "is its front. The front of a smooth mesh is where its vertex normals point: a surface that is wound the other "
      "way, as exporters that mirror leave it, is turned around as a whole, and raypro -check counts its triangles."},
     {"mesh id file smooth degrees",
-     "Normals are made of the triangles around each corner that differ by up to so many degrees from its own."},
+     "Normals are averaged over the triangles around each corner that differ from its own by up to that many degrees."},
     {"mesh id file materials",
      "Faces have the materials that the file gives them, and colors of its vertices; the material id is for all "
      "others."},
     {"absorb, bump, coat, flat_color, gloss, mirror, normal_map, one_sided, priority, specular_map, texture_ambient, "
      "texture_project, texture_scale, vertex_colors",
-     "Of a material of the same file, stated before."},
+     "Properties of a material defined earlier in the same file."},
     {"priority",
      "Solids that light goes through may contain one another, touch and overlap: rays are refracted between what is on "
      "both sides of a surface, and a surface with one material on both sides is not there. So water may overlap the "
@@ -142,13 +142,13 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "whose triangles bound a volume."},
     {"one_sided",
      "The front is the side from which a face's corners are counter-clockwise, the outside of a solid, where a plane's "
-     "or disc's normal points. Rays from the eye and from what is lit pass a surface that they would see from behind: "
-     "it casts a shadow only to where its front is seen, and a lamp shines forward. Glass needs both sides, and keeps "
-     "them with -one_sided. Large meshes are slower than with two sides."},
+     "or disc's normal points. Rays from the eye and from lit surfaces pass through a surface that they would hit from "
+     "behind: it casts a shadow only towards points that see its front, and a lamp shines forward. Glass needs both "
+     "sides, and keeps them with -one_sided. Large meshes are slower than with two sides."},
     {"mirror", "The weight of the mirrored ray, instead of ks, which stays that of the highlights."},
     {"coat",
-     "Mirrors Schlick's share for the index ir, besides ks, and leaves the rest to what is diffuse below; the light of "
-     "highlights is not changed."},
+     "Reflects Schlick's share for the index ir, in addition to ks, and leaves the rest to the diffuse layer below; "
+     "highlights are unchanged."},
     {"gloss",
      "As -glossy for one material and with an exponent of its own, n staying that of highlights. Rays that share a "
      "reflection each have their share of its weight, which -min_luminance may cut at the next bounce."},
@@ -160,26 +160,27 @@ constexpr std::pair<const char*, const char*> extensions[] = {
     {"texture_project",
      "Without it all texture coordinates of a polygon, and of a mesh whose file has none, are 0, as in the course: it "
      "has one color. With it they are those of the place itself, in the frame of the shape, so that an image is one "
-     "unit "
-     "wide and high and goes on from polygon to polygon; texture_scale says how many a unit has. They depend on where "
-     "the front of a triangle, or of a polygon as a whole, faces most: u v is z y towards -x, -z y towards +x, x z "
+     "unit wide and high and continues from polygon to polygon; texture_scale sets the number per unit. They "
+     "depend on where the front of a triangle, or of a polygon as a whole, faces most: u v is z y towards -x, -z y "
+     "towards +x, x z "
      "towards -y, x -z towards +y, -x y towards -z and x y towards +z. So images are nowhere mirrored, and upright on "
      "what faces sideways. Other shapes keep the coordinates they have."},
     {"flat_color, texture_ambient",
-     "What mode flat shows, where it is not kd + ks + kt; a texture that colors ambient light as well."},
+     "The color in mode flat, if it is not kd + ks + kt; a texture that also colors ambient light."},
     {"csg",
-     "Stands before solids and closed meshes, groups of them and further csg, up to its end. A union is what is in any "
-     "of them, an intersection what is in all, a difference what is in the first and in none of the others. Faces may "
+     "Combines the solids, closed meshes, groups and further csg up to its end. A union contains the points in any of "
+     "them, an intersection those in all, a difference those in the first and in none of the others. Faces may "
      "lie in each other exactly; those that differ by rounding alone are one. Each solid shows its own material, also "
      "on the wall of the hole that it leaves; what fills all of it, by ir, absorb and priority, is the material of "
      "csg. Nothing of it may emit, move by itself or have colors of vertices."},
     {"implicit",
-     "The formula stands in quotes and has x, y, z, pi, numbers, + - * /, brackets, ^ with whole exponents up to 64, "
-     "sin, cos, tan, exp, log, sqrt, abs, min and max; 3 x is 3 * x. The solid is where it is 0 or below, within the "
+     "The formula is written in quotes and may use x, y, z, pi, numbers, + - * /, brackets, ^ with whole "
+     "exponents up to 64, sin, cos, tan, exp, log, sqrt, abs, min and max; 3 x is 3 * x. The solid is where it is 0 or "
+     "below, within the "
      "box, whose faces close it. Interval arithmetic finds the nearest surface for certain. Images lie as if laid "
      "through the box along z, u and v being the shares of it along x and y; on a blob likewise."},
     {"plane",
-     "Infinite, so it has no bounding box: accelerators leave it out, and every ray is tested against it separately."},
+     "Infinite, so it has no bounding box: accelerators skip it, and every ray is tested against it separately."},
     {"view",
      "Before or behind the camera. An image with another aspect shows the same part of the scene, squeezed; a shift "
      "of 1 0 moves the axis to the left edge."},
@@ -187,8 +188,8 @@ constexpr std::pair<const char*, const char*> extensions[] = {
      "What secondary rays hit is at least this far away. 0, the default, needs no care: they start outside the error "
      "of the hit they leave. A greater one gives the images of programs that need it."},
     {"set",
-     "What decides how the image looks, by the name of its option without the dash, such as max_depth 2; presets and "
-     "the command line override it, and -explain tells who set what."},
+     "Sets an option that affects the image, by its name without the dash, such as max_depth 2; presets and "
+     "the command line override it, and -explain shows the origin of each setting."},
     {"set srgb", "Stands before the first image that is read, whose colors it decodes."},
     {"motion", "Between begin and end."},
     {"environment", "A latitude-longitude image, an angular probe or a cross; -env takes its place."},
@@ -219,8 +220,7 @@ std::string SceneManualPage() {
          ".SH MATERIALS\n" + Tagged(material_words) + ".PP\n" + Paragraphs(about_ids) + ".SH LAMPS\n" +
          Paragraphs(about_lamps) + ".SH FILES\n" + Paragraphs(about_files) + ".TP\n.B meshes\n" +
          Roff(MeshExtensions()) + "\n.TP\n.B images\n" + Roff(ImageExtensions()) +
-         "\n.SH EXTENSIONS\nWhat the course's language lacks is stated in words of its own:\n" + Tagged(extensions) +
-         ".SH MISTAKES\n" +
+         "\n.SH EXTENSIONS\nThese commands extend the course's language:\n" + Tagged(extensions) + ".SH MISTAKES\n" +
          Roff("Each is reported with file, line and column; raypro -check looks for them without rendering.\n") +
          ".SH EXAMPLE\n.nf\n" + Roff(example) + ".fi\n.SH SEE ALSO\n.BR raypro (1),\n.BR rayview (1)\n";
 }

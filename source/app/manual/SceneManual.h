@@ -4,8 +4,8 @@
 
 namespace ray {
 
-/// The manual page scn.5: the scene language, every command of it from the parser's own tables, in the language of the
-/// man macros.
+/// Returns the manual page scn.5 as troff source with man macros: the scene language, with every command from the
+/// parser's own tables.
 std::string SceneManualPage();
 
 }  // namespace ray

@@ -1,4 +1,4 @@
-// Compiled by itself, since the Makefile says in its command which commit is built: a commit compiles no more than this.
+// Compiled separately, since the Makefile passes the commit on its command line: a new commit recompiles only this.
 #include <string_view>
 
 #include "source/app/manual/Help.h"

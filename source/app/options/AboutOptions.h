@@ -30,9 +30,9 @@ std::vector<std::string> SubjectsOfList() {
   return ListSubjects(program);
 }
 
-// One entry stays one thought.
+// clang-format would split entries over many lines.
 // clang-format off
-/// Rows that each program's table ends with.
+/// The rows at the end of each program's table.
 template <const Program& program>
 std::vector<OptionKind> AboutOptions() {
   using enum Fact;
@@ -42,7 +42,7 @@ std::vector<OptionKind> AboutOptions() {
        {"h"}, {"topic"}, Request{answer::Help, false, Request::perhaps, HelpSubjects<program>}, "", "about",
        "print this help, or that on one topic, command or option"},
       {"version", all, ElsewhereCalled{"V"},
-       {}, {}, Request{answer::Version}, "", "about", "print the version, the commit it was built from and what is built in"},
+       {}, {}, Request{answer::Version}, "", "about", "print version, commit and compiled features"},
       {"as", raypro, {}, {}, {"course"}, Request{nullptr, false, Request::always, CommandLinesOfCourses}, "", "about",
        "must come first: accept that course's command line (raypro -help comp30019)"},
       {"list", both, ElsewhereCalled{"l"},
@@ -58,7 +58,7 @@ std::vector<OptionKind> AboutOptions() {
 }
 // clang-format on
 
-/// Returns a program's table: of these rows and of those that each program has, the ones that it knows.
+/// Returns a program's table: those of the given rows and of the common rows that apply to it.
 template <const Program& program>
 std::vector<OptionKind> WithAboutOptions(std::vector<OptionKind> rows) {
   const std::vector<OptionKind> about = AboutOptions<program>();

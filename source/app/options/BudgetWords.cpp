@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-/// The number before a suffix of `word`, if it is one; at least above 0.
+/// Returns the number before a suffix of `word`, if it is a number above 0.
 std::optional<double> Before(const std::string& suffix, const std::string& word) {
   if (!word.ends_with(suffix)) return {};
   const auto number = ParseNumber(word.substr(0, word.size() - suffix.size()));
@@ -60,7 +60,7 @@ std::string ShowPart(const std::optional<ImagePart>& part) {
 }
 
 bool ReadSamples(const std::string& word, RenderSettings& render) {
-  constexpr int most_apart = 16;  // pixels for one that is traced
+  constexpr int most_apart = 16;  // pixels per traced pixel
   for (int apart = 2; apart <= most_apart; apart *= 2) {
     if (word != "1/" + std::to_string(apart)) continue;
     render.samples = 1;

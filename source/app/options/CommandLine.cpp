@@ -16,7 +16,7 @@
 namespace ray {
 namespace {
 
-/// Returns "; -crop is an option of raypro", or names what was meant.
+/// Returns "; -crop is an option of raypro", or the probable intention.
 std::string HintAt(const Program& program, const std::string& name) {
   const std::string without_digits = name.substr(0, name.find_last_not_of("0123456789") + 1);  // -spp4
   for (const OptionKind& option : OptionTable(program))
@@ -40,7 +40,7 @@ const OptionKind& Known(const Program& program, const std::string& word) {
                    " -help lists them all)");
 }
 
-/// Refuses "–width", which begins with another dash than options do and would be the name of a file.
+/// Rejects "–width", which begins with a dash other than the ASCII one and would be a file name.
 void RefuseLookAlikes(const Program& program, std::span<const std::string> words) {
   for (const std::string& word : words) {
     if (word == "--") return;
@@ -51,7 +51,7 @@ void RefuseLookAlikes(const Program& program, std::span<const std::string> words
   }
 }
 
-/// The arguments of the option at the front of `words`, and how many words they and the option take.
+/// The arguments of the option at the front of `words`, and the total number of words.
 struct Arguments {
   std::vector<std::string> values;
   std::size_t words_taken = 1;
@@ -99,7 +99,7 @@ void TakeName(const std::string& word, Options& options) {
     options.names.push_back(word);
 }
 
-/// "-h 512" was meant to be a height.
+/// Rejects "-h 512", which was meant as a height.
 void RefuseHeight(const OptionKind& option, std::span<const std::string> words) {
   const auto [name, attached] = SplitOption(words[0]);
   const std::string value = attached ? *attached : words.size() > 1 ? words[1] : "";
@@ -109,8 +109,8 @@ void RefuseHeight(const OptionKind& option, std::span<const std::string> words) 
                    "; did you mean '-height " + value + "'?");
 }
 
-/// -help anywhere is answered, whatever else is wrong. (The course's program then exits with failure; we succeed, as
-/// users of other programs expect.) Null where it is not asked for.
+/// Answers -help anywhere, even if other words are wrong. (The course's program then exits with failure; ours succeeds,
+/// as users of other programs expect.) Returns null if there is no -help.
 std::unique_ptr<Options> HelpAnywhere(const Program& program, std::span<const std::string> words) {
   const OptionKind* const help = FindOption(program, "help");
   for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
@@ -118,7 +118,7 @@ std::unique_ptr<Options> HelpAnywhere(const Program& program, std::span<const st
     RefuseHeight(*help, words.subspan(i));
     auto options = program.defaults();
     options->request = help;
-    // Among other words, what follows -help is as likely a file as a topic, and plain help is never wrong.
+    // After other words, the word behind -help may be a file or a topic, and plain help is never wrong.
     const bool has_topic = SplitOption(words[i]).attached || (i == 0 && words.size() == 2);
     if (has_topic)
       Store(*help, TakeArguments(*help, words.subspan(i)).values, *options);
@@ -181,7 +181,7 @@ std::unique_ptr<Options> ReadWords(const Program& program, std::span<const std::
 
   for (const OptionKind* option : seen) options->given.emplace_back(option->name);
   if (options->request && !AnswerTo(*options->request))
-    throw UsageError("-" + std::string(options->request->name) + " " + options->subject + " must come before all else");
+    throw UsageError("-" + std::string(options->request->name) + " " + options->subject + " must come first");
   CheckCommand(*options);
   CheckContradictions(*options);
   program.complete(*options, words);

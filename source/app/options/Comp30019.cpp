@@ -43,7 +43,7 @@ Word Triple(Lambda member) {
                                         "three numbers with commas and no spaces between them, such as 0,2,-0.5");
 }
 
-/// What the options of COMP30019's command line set, with their defaults.
+/// The values of the options of COMP30019's command line, with their defaults.
 struct Asked : Options {
   Asked() : Options(Program::raypro) {}
 
@@ -56,9 +56,9 @@ struct Asked : Options {
 
 #define AT(member) AT_OF(Asked, member)
 
-// One entry stays one thought.
+// clang-format would split entries over many lines.
 // clang-format off
-/// The course's options, in the rows that raypro's own have. Each is named as messages show it: "x, --aa-mult".
+/// Returns the course's options, as rows like raypro's own. Their names are as in messages: "x, --aa-mult".
 std::span<const OptionKind> CourseOptions() {
   using Whole = Number<int>;
   using Real = Number<double>;
@@ -95,7 +95,7 @@ std::span<const OptionKind> CourseOptions() {
 
 #undef AT
 
-/// "-x, --aa-mult"
+/// Returns "-x, --aa-mult".
 std::string NamesOf(const OptionKind& option) { return std::string("-") + option.name; }
 /// Returns the name before the comma: a letter, or raypro's own word.
 std::string ShortNameOf(const OptionKind& option) { return std::string(option.name, std::strcspn(option.name, ",")); }
@@ -114,7 +114,7 @@ const OptionKind& Known(const std::string& word) {
   throw UsageError("unknown option " + Quoted(word) + DidYouMean(word, names) + " (--help lists them all)");
 }
 
-/// The values of the option in front of `words`, one or none; takes the words from it.
+/// Returns the value of the option at the front of `words`, none or one, and removes its words.
 std::vector<std::string> TakeValue(const OptionKind& option, std::span<const std::string>& words) {
   const auto attached = SplitOption(words[0]).attached;
   words = words.subspan(1);
@@ -153,8 +153,8 @@ Asked Read(std::span<const std::string> words) {
   return asked;
 }
 
-/// What was asked for, in raypro's words. What is left to chance gets 16 samples per pixel at quality 0, and 4 times as
-/// many, half the noise, with each level: as shadow rays, or where every camera ray has its own chance, as camera rays.
+/// Returns the equivalent raypro options. Random effects get 16 samples per pixel at quality 0, and 4 times as many,
+/// half the noise, with each level: as shadow rays, or as camera rays if each of these makes its own random choice.
 std::vector<std::string> RayprosWords(const Asked& asked) {
   const bool is_lens = asked.aperture > 0;
   const bool is_random = asked.ambient || is_lens;
@@ -174,7 +174,7 @@ bool IsHelp(const std::string& word) { return word == "--help"; }
 
 bool IsAs(const std::string& word) { return LooksLikeOption(word) && SplitOption(word).name == "as"; }
 
-/// How many words "-as comp30019" takes in front of the others; 0 where it is not there.
+/// Returns the number of words of a leading "-as comp30019"; 0 if it is missing.
 std::size_t WordsOfRequest(std::span<const std::string> words) {
   if (words.empty() || !IsAs(words[0])) return 0;
   if (const auto attached = SplitOption(words[0]).attached) return *attached == "comp30019" ? 1 : 0;

@@ -3,13 +3,14 @@
 #include "source/app/options/OptionTable.h"
 #include "source/text/EnumNames.h"
 
-/// Where an option keeps its value in a program's own options: one lambda that reads const Options and writes others.
+/// The location of an option's value in a program's own options: one lambda that reads const Options and writes mutable
+/// ones.
 #define AT_OF(Own, member) \
   [](auto& o) -> auto& { return As<Own>(o).member; }
 
 namespace ray {
 
-/// A word of a closed set, kept as the enumerator it names.
+/// Makes the entry of a word from a closed set, stored as an enumerator.
 template <class Enum, class Lambda>
 OneNameOf OneOfEnum(Lambda, bool by_number = false) {
   return {[] { return std::vector<std::string>(NamesOf(Enum{}).begin(), NamesOf(Enum{}).end()); },
@@ -17,14 +18,15 @@ OneNameOf OneOfEnum(Lambda, bool by_number = false) {
           [](Options& options, const std::string& name) { Lambda{}(options) = *Named<Enum>(name); }, by_number};
 }
 
-/// A word of an open set, kept as it is.
+/// Makes the entry of a word from an open set, stored unchanged.
 template <class Lambda>
 OneNameOf OneOfNames(Lambda, std::vector<std::string> (*choices)()) {
   return {choices, [](const Options& options) { return Lambda{}(options); },
           [](Options& options, const std::string& name) { Lambda{}(options) = name; }};
 }
 
-/// Several numbers kept as one value: `read` has nothing for those out of range, `show` writes those in force.
+/// Makes the entry of several numbers stored as one value: `read` returns std::nullopt if they are out of range, `show`
+/// formats the current ones.
 template <auto read, auto show, class Lambda>
 NumberList NumbersOf(Lambda, const char* range) {
   return {[](const Options& options) -> std::vector<double> { return show(Lambda{}(options)); },
@@ -36,7 +38,7 @@ NumberList NumbersOf(Lambda, const char* range) {
           range};
 }
 
-/// A word that `read` understands, or has nothing for, and `show` writes.
+/// Makes the entry of a word that `read` parses, returning std::nullopt if it is invalid, and `show` formats.
 template <auto read, auto show, class Lambda>
 Word WordOf(Lambda, const char* range, std::vector<std::string> (*names)() = nullptr, bool is_list = false) {
   return {[](Options& options, const std::string& word) {

@@ -8,46 +8,47 @@ namespace ray {
 
 struct Options;
 
-/// What an option changes, and where it may stand.
+/// The effects of an option, and where it is allowed.
 enum class Fact : unsigned {
-  // It changes:
-  image = 1,      // what the image shows
-  samples = 2,    // how many samples the image takes
-  budget = 4,     // when the render stops to take samples
-  speed = 8,      // how fast the render is, never the image
-  run = 16,       // this run alone: neither the image nor the command that makes it again
+  // Effects:
+  image = 1,      // the content of the image
+  samples = 2,    // the number of samples of the image
+  budget = 4,     // when the render stops taking samples
+  speed = 8,      // the speed of the render, never the image
+  run = 16,       // only this run: neither the image nor the command that reproduces it
   reading = 32,   // how the scene is read
-  messages = 64,  // what is printed, or reported in a file
-  window = 128,   // the window at its start
-  // It may stand:
-  in_scenes = 256,          // in a scene file, as a setting
-  before_budgets = 512,     // in a scene file, unless -time or -error is given
-  with_convert = 1024,      // beside -convert, which renders nothing
-  one_image = 2048,         // not where several scenes are rendered
-  named_image = 4096,       // not where the image goes to standard output
-  whole_image = 8192,       // not where a part of the image is rendered
-  changes_on_resume = 16384,  // with another value where a render is resumed
+  messages = 64,  // the messages, or the report
+  window = 128,   // the initial window
+  // Allowed:
+  in_scenes = 256,            // in a scene file, as a setting
+  before_budgets = 512,       // in a scene file, unless -time or -error is given
+  with_convert = 1024,        // with -convert, which renders nothing
+  one_image = 2048,           // only with a single scene
+  named_image = 4096,         // only if the image has a file name
+  whole_image = 8192,         // only if the whole image is rendered
+  changes_on_resume = 16384,  // with another value when a render is resumed
 };
 
 /// A condition without which an option has no effect.
 struct OptionNeed {
   bool (*is_met)(const Options&);
-  const char* otherwise;  // "without -aperture": ends the sentence that begins with "-focus has no effect"
+  const char* otherwise;  // "without -aperture": ends a message that begins with "-focus has no effect"
 };
 
 struct Needs : std::vector<OptionNeed> {
   using vector::vector;
 };
-/// Names of options that contradict this one.
+/// The names of options that contradict this one.
 struct Excludes : std::vector<const char*> {
   using vector::vector;
 };
-/// The names that other renderers give to this option. They are errors that name ours.
+/// The names of this option in other renderers. Using one is an error whose message names ours.
 struct ElsewhereCalled : std::vector<const char*> {
   using vector::vector;
 };
 
-/// What the rest of the program must know of an option: `image | in_scenes | Needs{a_lens}` in its row of the table.
+/// The properties of an option for the rest of the program: `image | in_scenes | Needs{a_lens}` in its row of the
+/// table.
 struct OptionFacts {
   OptionFacts() = default;
   OptionFacts(Fact fact) : bits(static_cast<unsigned>(fact)) {}
@@ -55,7 +56,7 @@ struct OptionFacts {
   OptionFacts(Excludes given) : excludes(std::move(given)) {}
   OptionFacts(ElsewhereCalled given) : elsewhere(std::move(given)) {}
 
-  /// Whether one of the facts is true.
+  /// Returns true if one of the facts holds.
   bool HasAny(std::initializer_list<Fact> some) const {
     for (const Fact fact : some)
       if ((bits & static_cast<unsigned>(fact)) != 0) return true;

@@ -2,17 +2,17 @@
 
 #include <string>
 
+#include "source/app/options/ImageName.h"
 #include "source/app/options/OptionFacts.h"
-#include "source/app/options/PictureName.h"
 #include "source/app/options/RenderOptions.h"
 
-/// The conditions that rows of the option table name as their needs.
+/// The conditions that rows of the option table state as their needs.
 namespace ray::needs {
 
 inline const RenderOptions& Of(const Options& all) { return As<RenderOptions>(all); }
 
-inline bool HasFormat(const std::string& picture, const std::string& name) {
-  const R2::ImageFormat* format = FormatOfPicture(picture);
+inline bool HasFormat(const std::string& file, const std::string& name) {
+  const R2::ImageFormat* format = FormatOfImage(file);
   return format && format->name == name;
 }
 
@@ -29,12 +29,12 @@ constexpr OptionNeed InMode(const char* otherwise) {
   return {[](const Options& all) { return Of(all).render.mode == mode; }, otherwise};
 }
 
-inline constexpr OptionNeed png{[](const Options& all) { return HasFormat(Of(all).files.picture, "png"); },
+inline constexpr OptionNeed png{[](const Options& all) { return HasFormat(Of(all).files.image, "png"); },
                                 "unless the image is a PNG"};
-inline constexpr OptionNeed jpeg{[](const Options& all) { return HasFormat(Of(all).files.picture, "jpeg"); },
+inline constexpr OptionNeed jpeg{[](const Options& all) { return HasFormat(Of(all).files.image, "jpeg"); },
                                  "unless the image is a JPEG"};
 inline constexpr OptionNeed format_of_bytes{[](const Options& all) {
-                                              const R2::ImageFormat* format = FormatOfPicture(Of(all).files.picture);
+                                              const R2::ImageFormat* format = FormatOfImage(Of(all).files.image);
                                               return format && !format->is_linear;
                                             },
                                             "on an image of linear values, as EXR, HDR and PFM are"};

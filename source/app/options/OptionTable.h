@@ -14,7 +14,7 @@
 
 namespace ray {
 
-/// Where in Options a value is kept. Made from one generic lambda, for reading and for writing.
+/// The location of a value in Options. Made from one generic lambda, for reading and for writing.
 template <class T>
 struct Member {
   template <class Lambda>
@@ -25,13 +25,13 @@ struct Member {
   const T& (*read)(const Options&);
 };
 
-/// What an option takes, from where, into what.
+/// A number in a range, and the location of its value.
 template <class T>
 struct Number {
   Member<T> member;
-  T low, high;  // both allowed
+  T low, high;  // inclusive
 };
-struct Flag {  // given or not
+struct Flag {  // present or not
   Member<bool> member;
 };
 struct OnOff {
@@ -45,9 +45,9 @@ struct OneNameOf {
   std::vector<std::string> (*choices)();
   std::string (*read)(const Options&);
   void (*write)(Options&, const std::string& name);  // one of the choices
-  bool by_number = false;                            // the place in the list will do as well, from 0
+  bool by_number = false;                            // the position in the list, from 0, is also accepted
 };
-/// What a file holds, and so which extensions it may have; a folder has none.
+/// The contents of a file, which determine its extensions; a folder has none.
 enum class FileKind { any, image, scene, scn, json, folder };
 struct FileName {
   Member<std::string> member;
@@ -57,114 +57,114 @@ struct FileList {  // one or two, separated by a comma
   Member<std::vector<std::string>> member;
   FileKind kind = FileKind::any;
 };
-struct Repeated {  // the only kind that may be: a word each time
+struct Repeated {  // the only repeatable kind, one word each time
   Member<std::vector<std::string>> member;
   bool (*is_good)(const std::string& word);
-  const char* range;  // in words
+  const char* range;  // a description
   std::optional<FileKind> kind{};
 };
-/// As many numbers as the option has arguments, kept as one value.
+/// One number per argument of the option, stored as one value.
 struct NumberList {
   std::vector<double> (*read)(const Options&);
-  bool (*write)(Options&, std::span<const double>);  // false when they are out of range
-  const char* range;                                 // in words
+  bool (*write)(Options&, std::span<const double>);  // false if they are out of range
+  const char* range;                                 // a description
 };
-/// A word with a grammar of its own.
+/// A word with its own grammar.
 struct Word {
-  bool (*store)(Options&, const std::string& word);  // false when it is none
+  bool (*store)(Options&, const std::string& word);  // false if it is invalid
   std::string (*show)(const Options&);
-  const char* range;                              // in words
-  std::vector<std::string> (*names)() = nullptr;  // those of its values that have one
+  const char* range;                              // a description
+  std::vector<std::string> (*names)() = nullptr;  // the names among its values
   bool is_list = false;                           // of names, separated by commas
-  bool may_be_number = false;                     // in a report, where it is one
+  bool may_be_number = false;                     // written as a number in a report, if it is one
 };
 struct Rectangle {
   Member<std::optional<PixelRectangle>> member;
 };
-/// What is printed instead of doing the program's own work.
+/// A function whose output replaces the program's own work.
 using Answer = std::string (*)(const Options&);
 struct PixelRequest {  // for one pixel of a scene
   Member<std::optional<Pixel>> member;
   Answer answer;
 };
 struct Request {
-  Answer answer;             // null: what is asked must come before all else
-  bool is_of_scene = false;  // which must be named then
+  Answer answer;             // null: the request must come first
+  bool is_of_scene = false;  // a scene must be named
   enum { nothing, perhaps, always } takes_subject = nothing;
-  std::vector<std::string> (*subjects)() = nullptr;  // what the subject may be; null for a file name
-  FileKind kind = FileKind::any;                     // of that file
+  std::vector<std::string> (*subjects)() = nullptr;  // the allowed subjects; null for a file name
+  FileKind kind = FileKind::any;                     // of the subject, if it is a file
 };
 
 using OptionValue =
     std::variant<Number<int>, Number<std::int64_t>, Number<std::uint64_t>, Number<double>, Flag, OnOff, OneNumberOf,
                  OneNameOf, FileName, Repeated, FileList, Rectangle, NumberList, Word, PixelRequest, Request>;
 
-/// Whose option it is: `both` are raypro and rayview, which render scenes, `one` is another program.
+/// The programs with an option: `both` are raypro and rayview, which render scenes, `one` is another program.
 enum class KnownTo { raypro, rayview, both, one, all };
 
-/// One option. The parser, -help, the manual page, the completions, the report and docs/options.md all come from this
-/// table.
+/// One option. The parser, -help, the manual page, the completions, the report and docs/options.md are all made from
+/// this table.
 struct OptionKind {
   const char* name;                    // without the dash
-  KnownTo known_to;                    // two programs may each have an option of the same name
-  OptionFacts facts;                   // what it changes, where it may stand, what it needs and excludes
-  std::vector<const char*> aliases;    // understood everywhere, shown nowhere
+  KnownTo known_to;                    // two programs may have different options with the same name
+  OptionFacts facts;                   // what it changes, where it is allowed, what it needs and excludes
+  std::vector<const char*> aliases;    // accepted everywhere, shown nowhere
   std::vector<const char*> arguments;  // their names
   OptionValue value;
   const char* unit;                     // may be empty
   const char* topic;                    // the heading in the help
   const char* help;                     // one line
-  std::vector<const char*> commands{};  // that take it, of a program that has commands; none for a request
+  std::vector<const char*> commands{};  // the commands with this option, if the program has commands
 };
 
-/// A command of a program that has several: its name comes first, then those of files.
+/// A command of a program that has several: its name comes first, followed by file names.
 struct CommandKind {
   const char* name;
   const char* files;  // their names in the usage line
   std::size_t fewest, most;
   const char* help;     // one line
-  const char* details;  // of what it does and prints, in lines that fit a screen
+  const char* details;  // about its work and output, in lines that fit a screen
 };
 std::vector<std::string> CommandNamesOf(const Program& program);
-/// Null when the program has none of that name.
+/// Returns the program's command with the given name, or null.
 const CommandKind* FindCommand(const Program& program, const std::string& name);
 bool Takes(const CommandKind& command, const OptionKind& option);
 
-/// Every option of the program, by command or by topic.
+/// Returns every option of the program, by command or by topic.
 inline std::span<const OptionKind> OptionTable(const Program& program) { return program.options(); }
-/// The options of a list that the program knows.
+/// Returns the options of a list that apply to the program.
 std::vector<OptionKind> KnownOptions(std::vector<OptionKind> list, const Program& program);
-/// By name or alias, without dashes; null when the program has none.
+/// Returns the option with that name or alias, without dashes, or null.
 const OptionKind* FindOption(const Program& program, const std::string& name);
-/// The headings of the help, in order; options of commands are under these instead.
+/// Returns the headings of the help, in order; options of commands are listed under these instead.
 std::vector<std::string> OptionTopics(const Program& program);
 
-/// Stores what was typed behind an option, as many words as it takes arguments (none or one where that is open).
-/// Throws UsageError that names option, value and range.
+/// Stores the arguments of an option, as many words as it takes (none or one if that is open). Throws UsageError with
+/// option, value and range.
 void Store(const OptionKind& option, std::span<const std::string> words, Options& options);
 
-/// How many words must and may follow the option.
+/// Returns the minimum number of words after the option. MostArguments returns the maximum.
 std::size_t FewestArguments(const OptionKind& option);
 std::size_t MostArguments(const OptionKind& option);
 bool MayBeRepeated(const OptionKind& option);
 
-/// What may be typed: "1..1073741824 pixels", "on or off"; empty when anything may, or nothing.
+/// Returns the allowed values: "1..1073741824 pixels", "on or off"; empty if anything, or nothing, is allowed.
 std::string Range(const OptionKind& option);
-/// The words an argument can be; empty when they are not a short list.
+/// Returns the allowed words of an argument; empty if they are not a short list.
 std::vector<std::string> Choices(const OptionKind& option);
-/// The choices; or, where other words will do as well, those of a fixed meaning: "all", "one", "auto".
+/// Returns the choices, or the words with a fixed meaning if others are allowed too: "all", "one", "auto".
 std::vector<std::string> NamedValues(const OptionKind& option);
-/// What the file that it takes holds; none when it takes none.
+/// Returns the kind of the file that it takes, if any.
 std::optional<FileKind> FileOf(const OptionKind& option);
-/// "-crop x0 y0 x1 y1"
+/// Returns "-crop x0 y0 x1 y1".
 std::string Synopsis(const OptionKind& option);
-/// Whether it chooses how an image is made, rather than what the program does.
+/// Returns true if it affects how an image is made, rather than what the program does.
 bool IsSetting(const OptionKind& option);
-/// Whether it is a request that needs a scene.
+/// Returns true if it is a request that needs a scene.
 bool IsOfScene(const OptionKind& option);
-/// What the program prints for a request. None where it must come before all else.
+/// Returns the function that answers a request. Null if it must come first.
 Answer AnswerTo(const OptionKind& option);
-/// The names of all options of which the fact is true, in the order of the table.
+/// Returns the names of all options with the fact, in the order of the table.
 std::vector<std::string_view> OptionsWith(const Program& program, Fact fact);
 
 }  // namespace ray

@@ -1,4 +1,4 @@
-// What each kind of option takes: how it is read, shown and described.
+// The kinds of options: how their values are read, formatted and described.
 #include <algorithm>
 #include <charconv>
 #include <limits>
@@ -29,7 +29,7 @@ std::string Joined(std::span<const std::string> words) {
 
 template <class T>
 std::string Interval(const Number<T>& number) {
-  // No one needs the largest double spelled out; the largest integers are where counting ends.
+  // The largest double is not a useful limit to show, nor are the largest integers.
   if constexpr (std::is_floating_point_v<T>)
     if (number.high == std::numeric_limits<T>::max())
       return number.low == -number.high ? "a number" : "a number, at least " + ToText(number.low);
@@ -41,7 +41,7 @@ std::string Interval(const Number<T>& number) {
   throw UsageError("-" + std::string(option.name) + " must be " + Range(option) + ", got " + Quoted(word));
 }
 
-/// The whole word as a number of the type, or nothing.
+/// Parses the whole word as a number of the type, or returns std::nullopt.
 template <class T>
 std::optional<T> Read(const std::string& word) {
   const auto whole = ParseWhole(word);
@@ -78,7 +78,7 @@ void StoreNumber(const OptionKind& option, const Number<T>& number, const std::s
   number.member.write(options) = value;
 }
 
-/// The word, if it is one of the choices; otherwise an error that names them, or the one that was meant.
+/// Returns the word if it is one of the choices; otherwise throws an error that names them, or the one that was meant.
 const std::string& Choose(const OptionKind& option, const std::string& word, const std::vector<std::string>& choices) {
   if (std::ranges::find(choices, word) != choices.end()) return word;
   throw UsageError("-" + std::string(option.name) + " must be " + OneOf(choices) + ", got " + Quoted(word) +
@@ -249,7 +249,7 @@ std::vector<std::string> Options::TypedFor(const Program& reader, const OptionKi
     for (const auto& word : list->member.read(*this)) words.push_back(name + "=" + word);
     return words;
   }
-  // Only "=" lets a value begin like an option.
+  // A value that looks like an option needs "=".
   if (MostArguments(option) == 1 && LooksLikeOption(value)) return {name + "=" + value};
   words.push_back(name);
   if (MostArguments(option) == 1) {

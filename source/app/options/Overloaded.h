@@ -2,7 +2,7 @@
 
 namespace ray {
 
-/// Functions for values of several kinds, put together for std::visit.
+/// A set of functions for values of several types, for std::visit.
 template <class... Lambda>
 struct Overloaded : Lambda... {
   using Lambda::operator()...;

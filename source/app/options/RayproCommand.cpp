@@ -8,19 +8,19 @@
 namespace ray {
 namespace {
 
-/// Whether the option belongs into the command that makes the same image again.
+/// Returns true if the option belongs in the command that reproduces the image.
 bool MakesTheImage(const OptionKind& option) {
   return option.facts.HasAny({Fact::image, Fact::samples, Fact::budget, Fact::speed, Fact::reading}) &&
          !option.facts.Has(Fact::run);
 }
 
-/// A file's name that is not taken for an option.
+/// Returns a file name that cannot be mistaken for an option.
 std::string AsName(const std::string& name) { return LooksLikeOption(name) ? "./" + name : name; }
 
 }  // namespace
 
 std::string RayproCommand(const RenderOptions& options) {
-  std::vector<std::string> words{"raypro", AsName(options.files.scene), AsName(options.files.picture)};
+  std::vector<std::string> words{"raypro", AsName(options.files.scene), AsName(options.files.image)};
   for (const OptionKind& option : OptionTable(Program::raypro)) {
     if (!MakesTheImage(option)) continue;
     const auto typed = options.TypedFor(Program::raypro, option);

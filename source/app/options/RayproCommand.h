@@ -6,9 +6,9 @@
 
 namespace ray {
 
-/// The raypro command that makes the picture of these options, but for a camera that was moved by hand: scene, picture,
-/// and every option that was typed or has another value than raypro's default. Those that no byte of a picture depends
-/// on are left out: how it is reported, how many threads work, and in how many runs it is made.
+/// Returns the raypro command that reproduces the image of these options, except for a camera that was moved by hand:
+/// scene, image, and every option that was typed or differs from raypro's default. Options that affect no byte of the
+/// image are omitted: reports, threads, and the division into several runs.
 std::string RayproCommand(const RenderOptions& options);
 
 }  // namespace ray

@@ -20,10 +20,10 @@
 namespace ray {
 namespace {
 
-/// What only renders has no effect; what decides how the scene is read has.
+/// Rejects options that affect only rendering; those that affect reading the scene are allowed.
 void CheckConvert(const RenderOptions& options) {
   if (!options.Asks("convert")) return;
-  if (!options.files.picture.empty()) RefuseName(options.files.picture, "; -convert writes no image");
+  if (!options.files.image.empty()) RefuseName(options.files.image, "; -convert writes no image");
   for (const std::string& name : options.given) {
     const OptionKind& option = *FindOption(*options.program, name);
     if (IsSetting(option) && !option.facts.Has(Fact::with_convert))
@@ -31,7 +31,7 @@ void CheckConvert(const RenderOptions& options) {
   }
 }
 
-void CheckPixelIsInPicture(const RenderOptions& options) {
+void CheckPixelIsInImage(const RenderOptions& options) {
   if (!options.pixel) return;
   const auto& [x, y] = *options.pixel;
   const auto& [width, height] = std::tie(options.render.width, options.render.height);
@@ -65,7 +65,7 @@ void CheckEffects(const CameraEffects& camera) {
   if (camera.HasLens() && !(camera.focus > 0)) throw UsageError("-aperture needs -focus, the focus distance");
 }
 
-/// Light has noise, and two streams tell what is noise.
+/// Checks -denoise, which is for light, the only content with noise, and needs two streams to measure it.
 void CheckDenoise(const RenderOptions& options) {
   const RenderSettings& render = options.render;
   if (!render.denoise) return;
@@ -76,7 +76,7 @@ void CheckDenoise(const RenderOptions& options) {
     throw UsageError("-denoise needs -samples 2 or more, -error or -time");
 }
 
-/// A library that is asked for must be there before the first ray.
+/// Checks that the selected denoising library is available, before the first ray.
 void CheckDenoiser(const RenderSettings& render) {
   if (!render.denoise || render.denoiser == Denoiser::automatic) return;
   try {
@@ -86,7 +86,7 @@ void CheckDenoiser(const RenderSettings& render) {
   }
 }
 
-/// Square grids in pixels need square numbers of camera rays.
+/// Checks that square grids in pixels get square numbers of camera rays.
 void CheckGrid(const RenderSettings& render) {
   if (!IsGrid(render.trace.sampler)) return;
   const std::string sampler = std::string("-sampler ") + NameOf(render.trace.sampler);
@@ -106,7 +106,7 @@ void CheckGrid(const RenderSettings& render) {
                    (more <= std::numeric_limits<int>::max() ? " or " + std::to_string(more) : ""));
 }
 
-/// Budgets decide by errors.
+/// Checks -adaptive neighbors; budgets decide by errors.
 void CheckNeighbors(const RenderSettings& render) {
   if (render.budget.adaptive != Adaptive::neighbors) return;
   if (render.budget.seconds > 0 || render.budget.error || render.denoise)
@@ -114,7 +114,8 @@ void CheckNeighbors(const RenderSettings& render) {
         "-adaptive neighbors takes one sample or all of them; it cannot be combined with -time, -error or -denoise");
 }
 
-/// What is decided by errors needs samples of every pixel, and costs and numbers of primitives have no mean.
+/// Checks subsampling: decisions by errors need samples in every pixel, and costs and numbers of primitives cannot be
+/// interpolated.
 void CheckSubsampling(const RenderSettings& render) {
   if (!IsSubsampled(render)) return;
   const std::string samples = "-samples " + ShowSamples(render) + " leaves pixels out; it cannot be combined with ";
@@ -134,7 +135,7 @@ void CheckBudget(const RenderOptions& options) {
                      ", which shows costs");
 }
 
-/// -part, -missing and -parts, with each other and with what only a finished image has.
+/// Checks -part, -missing and -parts with each other and with options that need a finished image.
 void CheckParts(const RenderOptions& options) {
   const bool is_part = options.render.part.has_value(), assembles = !options.parts.empty() && options.missing == 0;
   if (assembles && options.checkpoint.resume)
@@ -146,10 +147,10 @@ void CheckParts(const RenderOptions& options) {
                        (is_part ? "part" : "missing"));
 }
 
-/// What follows from other options.
+/// Sets the values that follow from other options.
 void Derive(RenderOptions& options) {
   RenderSettings& render = options.render;
-  render.srgb = options.encoding.srgb;  // as displayed, though a format of light keeps light
+  render.srgb = options.encoding.srgb;  // as displayed, although linear formats store linear light
   render.quantization = options.encoding.quantization;
   render.wants_passes = !options.files.report.empty() && render.samples > 1;
   options.parse.problem_of = ProblemOf;
@@ -179,7 +180,7 @@ void CompleteForScene(RenderOptions& options) {
   CheckNeighbors(options.render);
   CheckSize(options.render);
   CheckCrop(options.render);
-  CheckPixelIsInPicture(options);
+  CheckPixelIsInImage(options);
   Derive(options);
 }
 

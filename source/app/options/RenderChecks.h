@@ -5,19 +5,19 @@
 
 #include "source/app/options/RenderOptions.h"
 
-/// What is wrong with options together, though each word is right by itself.
+/// Checks of options that are valid individually but wrong together.
 namespace ray {
 
-/// Applies the preset, gives each name its role and works out what follows. Throws UsageError for what contradicts
-/// each other whatever the scene is.
+/// Applies the preset, assigns the names and derives dependent values. Throws UsageError for contradictions that do not
+/// depend on the scene.
 ///   words   as typed
 void CompleteCommandLine(RenderOptions& options, std::span<const std::string> words);
 
-/// Works out what follows from the options of a scene's image once its own settings are among them, and throws
-/// UsageError for what contradicts them.
+/// Derives dependent values from the options of a scene's image, including its own settings, and throws UsageError for
+/// contradictions.
 void CompleteForScene(RenderOptions& options);
 
-/// Throws UsageError when this machine lacks the denoiser or the instruction set that is asked for.
+/// Throws UsageError if this machine lacks the selected denoiser or instruction set.
 void CheckMachine(const RenderSettings& render, const AcceleratorSettings& accelerator);
 
 }  // namespace ray

@@ -8,7 +8,7 @@
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/app/Status.h"
-#include "source/app/files/LayerPictures.h"
+#include "source/app/files/LayerImages.h"
 #include "source/app/options/AboutOptions.h"
 #include "source/app/options/BudgetWords.h"
 #include "source/app/options/OptionEntry.h"
@@ -24,7 +24,7 @@ namespace ray {
 namespace {
 
 constexpr int most_pixels_a_side = 1 << 30;
-constexpr int most_bands = 255;  // a tone for each level of a byte
+constexpr int most_bands = 255;  // one tone per level of a byte
 constexpr int most_threads = 4096;
 constexpr double most_memory = 1 << 20;
 constexpr int deepest_include = 1'000'000;
@@ -81,7 +81,7 @@ bool IsPlace(const R3::Vector& v) { return IsCoordinate(v.x) && IsCoordinate(v.y
 std::optional<R3::Vector> VectorOf(Numbers n) { return R3::Vector{n[0], n[1], n[2]}; }
 std::vector<double> ShowVector(const R3::Vector& v) { return {v.x, v.y, v.z}; }
 
-/// A place or a direction that takes the place of the scene's, if it is given.
+/// Makes an argument for a point or direction that replaces the scene's, if given.
 template <class Triple>
 std::optional<std::optional<Triple>> PlaceOf(Numbers n) {
   const R3::Vector v{n[0], n[1], n[2]};
@@ -121,11 +121,11 @@ const Word samples_per_pixel{
 #define AT(member) AT_OF(RenderOptions, member)
 #define AT_VIEW(member) AT_OF(ViewerOptions, member)
 
-// One entry stays one thought.
+// clang-format would split entries over many lines.
 // clang-format off
-// One function for each topic, or two. What is `raypro`'s alone makes no sense beside an image that changes while it is
-// looked at.
-std::vector<OptionKind> PictureOptions() {
+// One or two functions per topic. Options that are meaningless for an image that changes while it is viewed are
+// `raypro`'s alone.
+std::vector<OptionKind> CameraAndImageOptions() {
   using Whole = Number<int>;
   using enum Fact;
   using enum KnownTo;
@@ -172,7 +172,7 @@ std::vector<OptionKind> PictureOptions() {
       {"projection", both, image, {}, {"name"}, OneOfNames(AT(parse.camera.projection), ProjectionNames), "", "picture",
        "camera projection (raypro -list projections); overrides the scene's"},
       {"motion", both, image | in_scenes, {}, {"dx", "dy", "dz"}, NumbersOf<VectorOf, ShowVector>(AT(render.camera.motion), "three numbers"), "", "picture",
-       "how far the camera moves while the shutter is open"},
+       "camera movement while the shutter is open"},
       {"aperture", both, image | in_scenes | ElsewhereCalled{"dof", "fstop"},
        {}, {"r"}, Number<double>{AT(render.camera.aperture), 0, highest<double>}, "", "picture",
        "lens radius; 0 is a pinhole"},
@@ -189,15 +189,15 @@ std::vector<OptionKind> PictureOptions() {
        {}, {"n"}, Whole{AT(render.camera.shutter_samples), 1, highest<int>}, "moments",
        "picture", "evenly spaced times for each position of -sampler grid; 1: random times"},
       {"clamp", both, image | in_scenes, {}, {"name"}, OneOfEnum<Clamp>(AT(render.clamp)), "", "picture",
-       "what is clamped to 0..1: the image when it is written, or each sample before it is added"},
+       "clamp to 0..1: the image when it is written, or each sample before it is added"},
       {"bytes", both, image | in_scenes | Needs{needs::format_of_bytes},
        {}, {"name"}, OneOfEnum<R2::Quantization>(AT(encoding.quantization)), "", "picture",
-       "how a value v becomes a byte: 255 v rounded to the nearest whole number, or truncated"},
+       "conversion of a value v to a byte: 255 v rounded to the nearest integer, or truncated"},
       {"srgb", both, image | in_scenes, {}, {}, Flag{AT(encoding.srgb)}, "", "picture",
        "linear workflow: decode 8-bit textures from sRGB, encode the image in sRGB"},
       {"layers", raypro, image | named_image, {}, {"list"}, WordOf<ReadLayerList, ShowLayerList>(AT(files.layers),
         "some of depth, normal, uv, albedo, id and flare, separated by commas", LayerNames, true), "", "picture",
-       "extra output layers (AOVs): channels of an EXR, or files beside the image, out.depth.png"},
+       "extra output layers (AOVs): channels of an EXR, or files next to the image, out.depth.png"},
       {"bits", both, image | Needs{needs::png},
        {}, {"n"}, OneNumberOf{AT(encoding.bits), {8, 16}}, "bits per channel", "picture",
        "bit depth of a PNG"},
@@ -211,10 +211,10 @@ std::vector<OptionKind> ViewingOptions() {
   using enum KnownTo;
   return {
       {"image", rayview, run | ElsewhereCalled{"o", "out", "output"},
-       {}, {"file"}, FileName{AT(files.picture), FileKind::image}, "", "viewer",
-       "what key S writes; by default the first of image1.jpg, image2.jpg... that does not exist"},
+       {}, {"file"}, FileName{AT(files.image), FileKind::image}, "", "viewer",
+       "file that key S writes; by default the first of image1.jpg, image2.jpg... that does not exist"},
       {"output_image", rayview, run, {}, {"file"}, FileName{AT_VIEW(view.output_image), FileKind::image}, "", "viewer",
-       "save what the window shows when the program exits"},
+       "save the window's content when the program exits"},
       {"exit_immediately", rayview, run | Excludes{"events"},
        {}, {}, Flag{AT_VIEW(view.exit_immediately)}, "", "viewer", "draw once, save, exit"},
       {"headless", rayview, run | ElsewhereCalled{"b", "background"}, {}, {}, Flag{AT_VIEW(view.headless)}, "", "viewer",
@@ -301,7 +301,7 @@ std::vector<OptionKind> DrawnModeOptions() {
        "distances that -mode zbuffer shows white and black (0 0: nearest and farthest in the image)"},
       {"gooch", both, image | in_scenes | Needs{needs::mode_gooch},
        {}, {"b", "y", "alpha", "beta"}, NumbersOf<GoochTonesOf, ShowGoochTones>(AT(render.trace.gooch), "four numbers"), "", "light",
-       "-mode gooch: blue and yellow of the tones, and how much surface color each gets"},
+       "-mode gooch: blue and yellow of the tones, and the amount of surface color in each"},
       {"toon_bands", both, image | in_scenes | Needs{needs::mode_toon},
        {}, {"n"}, Whole{AT(render.trace.toon_bands), 1, most_bands}, "tones", "light",
        "-mode toon: number of tones besides black"},
@@ -355,12 +355,12 @@ std::vector<OptionKind> QualityOptions() {
        "probe the scene for a few seconds and report time, error and which settings help; no rendering"},
       {"checkpoint", raypro, run | named_image,
        {}, {"t"}, WordOf<ReadDuration, ShowDuration>(AT(checkpoint.seconds), duration_range),
-       "", "quality", "write a checkpoint this often, beside the image; a signal always writes one"},
+       "", "quality", "write a checkpoint this often, next to the image; a signal always writes one"},
       {"resume", raypro, run | named_image | Excludes{"restart"} | ElsewhereCalled{"c", "continue"},
        {}, {}, Flag{AT(checkpoint.resume)}, "", "quality",
        "resume from the checkpoint, to a bit-identical image; with more -samples, add to them"},
       {"restart", raypro, run | named_image, {}, {}, Flag{AT(checkpoint.restart)}, "", "quality",
-       "render from the start, and forget the checkpoint of an interrupted render"},
+       "render from the start, and discard the checkpoint of an interrupted render"},
       {"keep_checkpoint", raypro, run | named_image | whole_image, {}, {}, Flag{AT(checkpoint.keep)}, "", "quality",
        "keep the checkpoint of a finished image, so that -resume can add samples"},
   };
@@ -409,7 +409,7 @@ std::vector<OptionKind> SceneOptions() {
        "scene format; by default chosen by the file's extension, for JSON by its keys"},
       {"include_depth", both, reading | with_convert,
        {}, {"n"}, Whole{AT(parse.include_depth), 1, deepest_include}, "files", "scene",
-       "how deep scene files may include one another"},
+       "maximum nesting depth of included scene files"},
       {"allow_path", both, reading | with_convert | ElsewhereCalled{"L"},
        {}, {"folder"}, Repeated{AT(parse.allowed_folders), IsSomething, "a folder name", FileKind::folder}, "", "scene",
        "let the scene also read files below this folder; may be repeated"},
@@ -443,7 +443,7 @@ std::vector<OptionKind> BatchOptions() {
        {}, {"n"}, Number<int>{AT(missing), 0, most_image_parts}, "parts", "batch",
        "print which of n parts are still to be rendered; with -error or -time, plan the next round"},
       {"parts", raypro, run | one_image | named_image, {}, {"pattern"}, FileName{AT(parts)}, "", "batch",
-       "assemble the parts with matching names, and render what is missing: a bit-identical image"},
+       "assemble the parts with matching names, and render the missing ones: a bit-identical image"},
   };
 }
 
@@ -456,7 +456,7 @@ std::vector<OptionKind> MessageOptions() {
       {"verbose", both, messages,
        {"v"}, {}, Flag{AT(verbose)}, "", "messages", "report each step and how long it took"},
       {"explain", raypro, messages, {}, {}, Flag{AT(explain)}, "", "messages",
-       "report which acceleration structure is used, why, and what was built"},
+       "report the acceleration structure, why it was chosen, and its size"},
       {"stats", raypro, messages | whole_image,
        {}, {}, Flag{AT(stats)}, "", "messages", "print statistics of the render"},
       {"debugpixel", raypro, ElsewhereCalled{"debug", "pixel"},
@@ -466,7 +466,7 @@ std::vector<OptionKind> MessageOptions() {
        {}, {"file.json"}, FileName{AT(files.report), FileKind::json}, "", "messages",
        "write settings and statistics as JSON"},
       {"keep_times", both, messages, {}, {}, Flag{AT(keep_times)}, "", "messages",
-       "keep seconds and threads in the image; without, the same command gives the same bytes"},
+       "store seconds and threads in the image; without it, the same command gives the same bytes"},
   };
 }
 // clang-format on
@@ -478,8 +478,8 @@ template <const Program& program>
 const std::vector<OptionKind>& Table() {
   static const std::vector<OptionKind> table = [] {
     std::vector<OptionKind> rows;
-    for (const auto& part : {PictureOptions(), ViewingOptions(), LightOptions(), DrawnModeOptions(), QualityOptions(),
-                             SpeedOptions(), SceneOptions(), BatchOptions(), MessageOptions()})
+    for (const auto& part : {CameraAndImageOptions(), ViewingOptions(), LightOptions(), DrawnModeOptions(),
+                             QualityOptions(), SpeedOptions(), SceneOptions(), BatchOptions(), MessageOptions()})
       rows.insert(rows.end(), part.begin(), part.end());
     return WithAboutOptions<program>(std::move(rows));
   }();

@@ -15,22 +15,22 @@
 namespace ray {
 namespace {
 
-/// What a scene may set: how its image looks. How long that takes, and which files are read and written, is the user's
-/// decision alone, since a scene may come from a stranger.
+/// Returns the options that a scene may set: those that affect the content of its image. The time it takes, and the
+/// files that are read and written, are up to the user, since a scene may come from an untrusted source.
 std::vector<std::string_view> SettingNames() {
   std::vector<std::string_view> names = OptionsWith(Program::raypro, Fact::in_scenes);
   std::ranges::sort(names);
   return names;
 }
 
-/// Whether the command line leaves nothing for the scene to decide. Samples on a grid cannot be had one pass after
-/// another, which budgets need.
+/// Returns true if the command line makes the scene's setting irrelevant. Samples on a grid cannot be taken in passes,
+/// which budgets need.
 bool IsDecided(const RenderOptions& options, const OptionKind& option) {
   return (options.render.budget.IsOpen() && option.facts.Has(Fact::before_budgets)) || options.IsGiven(option.name) ||
          IsSetByPreset(options.quality, option.name);
 }
 
-/// Throws UsageError for a value that the option does not take.
+/// Throws UsageError for a value that the option does not accept.
 void Apply(const OptionKind& option, const SceneSetting& setting, Options& options) {
   std::vector<std::string> words = SplitWords(setting.value);
   if (std::holds_alternative<Flag>(option.value)) {
@@ -46,13 +46,13 @@ void Apply(const OptionKind& option, const SceneSetting& setting, Options& optio
   Store(option, words, options);
 }
 
-/// Null for what the program has no use for, such as a size of the picture in a window.
+/// Returns the option of a setting; null if it does not apply to the program, such as the image size in a window.
 const OptionKind* OptionOf(const SceneSetting& setting, const Program& program) {
   const OptionKind* option = FindOption(program, setting.option);
   return option && option->facts.Has(Fact::in_scenes) ? option : nullptr;
 }
 
-/// Settings that scenes make without a reader's look at them, as courses do, are looked at here.
+/// Checks settings that were made without a reader's check, such as those of courses.
 void CheckSettings(const Scene& scene) {
   std::vector<SceneError> errors;
   for (const SceneSetting& setting : scene.settings)
@@ -61,7 +61,7 @@ void CheckSettings(const Scene& scene) {
   if (!errors.empty()) throw SceneErrors(std::move(errors));
 }
 
-/// The last of a name counts; in the order of the scene.
+/// Returns the last setting of each name, in the order of the scene.
 std::vector<const SceneSetting*> WithoutRepetitions(const std::vector<SceneSetting>& settings) {
   std::vector<const SceneSetting*> last;
   for (const SceneSetting& setting : settings) {
@@ -71,7 +71,7 @@ std::vector<const SceneSetting*> WithoutRepetitions(const std::vector<SceneSetti
   return last;
 }
 
-/// The settings that the command line leaves to the scene, with their options.
+/// Returns the settings that the command line leaves to the scene, with their options.
 std::vector<std::pair<const OptionKind*, const SceneSetting*>> InForce(const Scene& scene,
                                                                        const RenderOptions& options) {
   std::vector<std::pair<const OptionKind*, const SceneSetting*>> all;
@@ -82,7 +82,7 @@ std::vector<std::pair<const OptionKind*, const SceneSetting*>> InForce(const Sce
   return all;
 }
 
-/// Whether a message speaks of the option: "-focus", but not of "-focus_distance".
+/// Returns true if a message names the option: "-focus", but not "-focus_distance".
 bool Names(const std::string& message, const std::string& option) {
   const auto is_of_word = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
   const std::string word = "-" + option;
@@ -108,8 +108,8 @@ void CheckFlare(const Camera& camera, const RenderOptions& options) {
                      ", which has no lens flares");
 }
 
-/// Settings that contradict each other are the scene's mistake where it makes all of them, and told at the first;
-/// beside options they are the user's, who may not know what the scene sets.
+/// Reports settings that contradict each other. If the scene makes all of them, it is the scene's mistake, reported at
+/// the first; otherwise it is the user's, who may not know the scene's settings.
 [[noreturn]] void Blame(const UsageError& error, const Scene& scene, const RenderOptions& asked) {
   const std::string message = error.what();
   for (const auto& [option, setting] : InForce(scene, asked)) {

@@ -32,7 +32,7 @@ std::unique_ptr<Window> WindowUntilLoaded(const std::future<std::shared_ptr<cons
     canvas.Begin(window->Width(), window->Height(), ground);
     window->Show();
     for (const Event& event : window->Wait(seconds_between_looks))
-      if (std::holds_alternative<CloseEvent>(event)) std::_Exit(status::done);  // nothing is written yet
+      if (std::holds_alternative<CloseEvent>(event)) std::_Exit(status::done);  // nothing has been written yet
   }
   return window;
 }

@@ -9,9 +9,9 @@
 
 namespace ray {
 
-/// Waits until the scene is there, in a window that says so where that takes longer than a moment.
-///   returns   the window, for the scene to be shown in; null where it was there at once, or there are no windows
-/// Ends the program where the user closes the window meanwhile.
+/// Waits until the scene is loaded, in a window with a message if that takes longer than a moment. Ends the program if
+/// the user closes the window.
+///   returns   the window, to be used for the scene; null if loading took no time, or there are no windows
 std::unique_ptr<Window> WindowUntilLoaded(const std::future<std::shared_ptr<const LoadedScene>>& loading, int width,
                                           int height, const std::string& file);
 

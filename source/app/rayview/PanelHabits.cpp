@@ -20,7 +20,7 @@ std::filesystem::path FolderIn(const char* variable) {
   return folder.is_absolute() ? folder : std::filesystem::path();
 }
 
-/// Whether the line is one that is known.
+/// Applies a line; returns false if it is unknown.
 bool TakeLine(const std::string& name, const std::string& value, PanelSettings& look) {
   if (name == "theme" && (value == "dark" || value == "light")) {
     look.theme = value == "light" ? PanelTheme::light : PanelTheme::dark;

@@ -5,23 +5,23 @@
 
 #include "source/view/panels/Panels.h"
 
-/// How a user likes the panels, kept from one run to the next in a file of three lines at most:
+/// The user's panel settings, stored between runs in a file of at most three lines:
 ///     theme light
 ///     letters 1.25
 ///     width 400
 namespace ray {
 
-/// $XDG_CONFIG_HOME/raypro/rayview, by default below ~/.config; empty where the user has no folder. A name that is not
-/// absolute counts as none, as the XDG Base Directory Specification has it.
+/// Returns $XDG_CONFIG_HOME/raypro/rayview, by default below ~/.config; empty if the user has no folder. Relative names
+/// are ignored, as required by the XDG Base Directory Specification.
 std::string PanelHabitsFile();
 
-/// Nothing when the text cannot be parsed; what it does not name is as usual.
+/// Parses the text; std::nullopt if it is invalid. Missing settings have their defaults.
 std::optional<PanelSettings> ReadPanelHabits(const std::string& text);
 
-/// The settings in the file; the usual ones where there is none, and with a message where it cannot be parsed.
+/// Loads the settings from the file; the defaults if it is missing, and with a message if it cannot be parsed.
 PanelSettings LoadPanelHabits(const std::string& file);
 
-/// Makes the folder where it is missing. Failures are reported and otherwise harmless.
+/// Saves the settings, creating the folder if necessary. Failures are reported and otherwise harmless.
 void SavePanelHabits(const std::string& file, const PanelSettings& look);
 
 }  // namespace ray

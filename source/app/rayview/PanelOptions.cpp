@@ -13,7 +13,7 @@ bool IsInPanels(const OptionKind& option) {
          !option.facts.Has(Fact::reading);
 }
 
-/// Behind the option's name; a name of a file may have blanks in it.
+/// Returns the words after the option's name; a file name may contain blanks.
 std::vector<std::string> WordsFor(const OptionKind& option, const std::string& value) {
   if (std::holds_alternative<Flag>(option.value)) return {};
   if (MostArguments(option) == 1) return {value};
@@ -39,7 +39,7 @@ ViewerOptions WithOption(const ViewerOptions& options, const std::string& name, 
     if (name != option.name) {
       add(options.TypedFor(Program::rayview, option));
     } else if (!value.empty()) {
-      // Only "=" lets a value begin like an option.
+      // A value that looks like an option needs "=".
       const std::vector<std::string> behind = WordsFor(option, value);
       if (behind.size() == 1)
         add({"-" + name + "=" + behind[0]});

@@ -5,21 +5,20 @@
 
 namespace ray {
 
-/// "~/.config/raypro/recent", or below $XDG_CONFIG_HOME; empty where there is neither.
+/// Returns "~/.config/raypro/recent", or below $XDG_CONFIG_HOME; empty if neither exists.
 std::string RecentScenesFile();
 
-/// The scenes that were opened last, kept in a file, one absolute path per line, the last first.
+/// The most recently opened scenes, stored in a file, one absolute path per line, the latest first.
 class RecentScenes {
  public:
   static constexpr std::size_t most = 20;
 
-  /// Reads the file; a missing one is empty, and of one that is no list nothing is taken. Empty: nothing is read or
-  /// written.
+  /// Reads the file; a missing or invalid one counts as empty. With an empty name, nothing is read or written.
   explicit RecentScenes(std::string file);
 
   void Add(const std::string& scene);
   const std::vector<std::string>& Files() const { return files_; }
-  /// A failure is a message on standard error: nothing is lost but a convenience.
+  /// Saves the list. A failure is only a message on standard error, since just a convenience is lost.
   void Save() const;
 
  private:

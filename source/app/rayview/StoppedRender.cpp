@@ -10,8 +10,8 @@
 namespace ray {
 namespace {
 
-/// The identity that raypro would give the render: that of the scene's files, which are those on the disk where nothing
-/// was edited.
+/// Returns the identity that raypro would give the render: that of the scene's files, which equal those on disk unless
+/// they were edited.
 std::string IdentityForRaypro(const RenderJob& job, RenderOptions options) {
   options.program = &Program::raypro;
   return IdentityOf(options, SceneHash(job.scene().parsed.scene.files));
@@ -27,7 +27,7 @@ bool IsEdited(const LoadedScene& scene) {
 }  // namespace
 
 std::string StoppedRender::Keep(const RenderJob& stopped, RenderOptions options) {
-  if (options.files.picture.empty()) return {};
+  if (options.files.image.empty()) return {};
   if (stopped.Settings().view) return "raypro could not: the camera is not the scene's (Shift+K, Control+S)";
   if (IsEdited(stopped.scene())) return "raypro could not: the scene has changes that are not saved";
   try {
@@ -37,15 +37,14 @@ std::string StoppedRender::Keep(const RenderJob& stopped, RenderOptions options)
     if (!checkpoint_) checkpoint_.emplace(files, CheckpointOptions{}, false);
     checkpoint_->Save(stopped.Canceled()->state, identity);
     identity_ = identity;
-    return "so does raypro -resume, from " + checkpoint_->Name();
-  } catch (const std::exception& problem) {  // what is there is somebody else's
+    return "raypro -resume also continues, from " + checkpoint_->Name();
+  } catch (const std::exception& problem) {  // an existing file belongs to someone else
     return std::string("raypro could not: ") + problem.what();
   }
 }
 
 void StoppedRender::Finished(const RenderJob& complete, RenderOptions options) {
-  if (checkpoint_ && IdentityForRaypro(complete, std::move(options)) == identity_)
-    checkpoint_->PictureIsFinished(false);
+  if (checkpoint_ && IdentityForRaypro(complete, std::move(options)) == identity_) checkpoint_->ImageIsFinished(false);
   checkpoint_.reset();
   identity_.clear();
 }

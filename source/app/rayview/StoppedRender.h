@@ -8,18 +8,18 @@
 
 namespace ray {
 
-/// The checkpoint of a picture of key S that was stopped, from which raypro -resume goes on.
+/// The checkpoint of a stopped image of key S, from which raypro -resume continues.
 class StoppedRender {
  public:
-  /// `options`: with `render` as it was traced. Returns in words how it goes on; why it was not kept; or nothing where
-  /// there is no name to keep it under.
+  /// Saves the checkpoint; `options` has `render` as it was traced. Returns a message on how to continue, or why it was
+  /// not saved; empty if there is no name to save it under.
   std::string Keep(const RenderJob& stopped, RenderOptions options);
-  /// The job is complete, and its picture about to be saved: its checkpoint goes, if it was kept.
+  /// Removes the checkpoint of a job, if it was saved; called when the job is complete, before its image is saved.
   void Finished(const RenderJob& complete, RenderOptions options);
 
  private:
   std::optional<Checkpoint> checkpoint_;
-  std::string identity_;  // of what it holds
+  std::string identity_;  // of the saved checkpoint
 };
 
 }  // namespace ray

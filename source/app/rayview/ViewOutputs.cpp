@@ -30,7 +30,7 @@ std::vector<NamedOutput> Named(const ViewOutputs& outputs) {
   return named;
 }
 
-// Each would overwrite the other's file, the last one winning.
+// Rejects equal outputs, where the last one would overwrite the others.
 void RefuseEqualOutputs(const ViewOutputs& outputs) {
   const auto named = Named(outputs);
   for (std::size_t i = 0; i < named.size(); ++i)
@@ -59,10 +59,10 @@ ViewOutputs CheckViewOutputs(const FileOptions& files, const ViewOptions& view, 
   std::vector<std::string> inputs{files.scene};
   if (!view.events.empty() && view.events != "-") inputs.push_back(view.events);
   if (!view.reference.empty()) inputs.push_back(view.reference);
-  const auto picture = [&](const std::string& name) {
-    return name.empty() ? std::nullopt : std::optional(CheckPictureOutput(name, inputs));
+  const auto image_output = [&](const std::string& name) {
+    return name.empty() ? std::nullopt : std::optional(CheckImageOutput(name, inputs));
   };
-  ViewOutputs outputs{picture(files.picture), picture(view.output_image), picture(view.screenshot), {}};
+  ViewOutputs outputs{image_output(files.image), image_output(view.output_image), image_output(view.screenshot), {}};
   if (!view.record.empty()) outputs.record = CheckOutput(view.record, inputs);
   for (const auto* output : {&outputs.image, &outputs.output_image, &outputs.screenshot})
     if (*output) RefuseSize(*(*output)->format, width, height);
@@ -74,7 +74,7 @@ void RefuseInputs(const ViewOutputs& outputs, std::span<const std::string> input
   for (const NamedOutput& output : Named(outputs)) RefuseInputs(*output.file, inputs);
 }
 
-PictureOutput ClaimImageName(const std::string& extension) {
+ImageOutput ClaimImageName(const std::string& extension) {
   for (int number = 1;; ++number) {
     const std::string name = "image" + std::to_string(number) + "." + extension;
     if (IsNew(name)) return {R2::FormatForName(name), {.name = name, .target = name}};

@@ -9,23 +9,23 @@
 
 namespace ray {
 
-/// Where a run of rayview writes to, as far as the user named it.
+/// Output files of a rayview session that the user named.
 struct ViewOutputs {
-  std::optional<PictureOutput> image;         // what key S traces
-  std::optional<PictureOutput> output_image;  // what is shown at the end
-  std::optional<PictureOutput> screenshot;    // what is drawn after the last event
-  std::optional<OutputFile> record;           // what happened
+  std::optional<ImageOutput> image;         // for the image traced by key S
+  std::optional<ImageOutput> output_image;  // for the window's final content
+  std::optional<ImageOutput> screenshot;    // for the drawing after the last event
+  std::optional<OutputFile> record;         // for the recorded events
 };
 
-/// Before anything is read: pictures have known kinds that can hold `width` by `height` pixels, everything can be
-/// written, no two outputs and no input are the same file. Throws UsageError and OutputError.
+/// Checks the outputs before anything is read: image formats are known and support `width` by `height` pixels, all
+/// files can be written, and no two outputs and no input are the same file. Throws UsageError and OutputError.
 ViewOutputs CheckViewOutputs(const FileOptions& files, const ViewOptions& view, int width, int height);
 
-/// Throws OutputError when one of them is a file the scene was read from.
+/// Throws OutputError if one of them is a file from which the scene was read.
 void RefuseInputs(const ViewOutputs& outputs, std::span<const std::string> inputs);
 
-/// image1.jpg, image2.jpg... or with another extension of a picture that can be written: the first that is not there,
-/// in the current folder. It is there, and empty, from now on, so that nobody else takes it. Throws OutputError.
-PictureOutput ClaimImageName(const std::string& extension);
+/// Returns the first of image1.jpg, image2.jpg... in the current folder that does not exist, with this or another
+/// extension of a writable image format. Creates it empty, so that nobody else takes it. Throws OutputError.
+ImageOutput ClaimImageName(const std::string& extension);
 
 }  // namespace ray

@@ -20,7 +20,7 @@
 #include "source/app/rayview/PanelHabits.h"
 #include "source/app/rayview/PanelOptions.h"
 #include "source/app/rayview/RecentScenes.h"
-#include "source/app/rayview/SavePicture.h"
+#include "source/app/rayview/SaveImage.h"
 #include "source/app/rayview/StoppedRender.h"
 #include "source/app/report/Messages.h"
 #include "source/draw/MotionDetail.h"
@@ -38,7 +38,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double seconds_while_busy = 1.0 / 60, seconds_while_idle = 0.25;  // between two looks
+constexpr double seconds_while_busy = 1.0 / 60, seconds_while_idle = 0.25;  // between two checks
 
 std::string AllOf(std::istream& in) { return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}; }
 
@@ -53,8 +53,8 @@ std::vector<ScriptStep> ReadScript(const std::string& name) {
 
 std::string NameOfFile(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// Without an image where the file is none.
-ReferenceImage ReadPictureFile(const std::string& name) {
+/// Reads an image; returns an empty image if the file is not one.
+ReferenceImage ReadImageOrNone(const std::string& name) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(name, error)) return {};
   std::ifstream in(name, std::ios::binary);
@@ -68,7 +68,7 @@ ReferenceImage ReadPictureFile(const std::string& name) {
   }
 }
 
-/// "rays1.obj" and so on: the first that is not there.
+/// Returns the first of "rays1.obj" and so on that does not exist.
 std::string FreeRaysName() {
   for (int i = 1;; ++i) {
     std::string name = "rays" + std::to_string(i) + ".obj";
@@ -85,20 +85,20 @@ ViewerSettings SettingsFor(const ViewerOptions& options) {
   return settings;
 }
 
-/// The file of the user's habits; none for scripts and recordings, which must not depend on them.
+/// Returns the file of the user's panel settings; empty for scripts and recordings, which must not depend on them.
 std::string HabitsFile(const ViewerOptions& options) {
   return IsLookedAt(options.view) && options.view.record.empty() ? PanelHabitsFile() : std::string();
 }
 
 ViewerSettings WithReference(ViewerSettings settings, const std::string& reference) {
   if (reference.empty()) return settings;
-  Contents(reference);  // which says so where there is none
-  settings.reference = ReadPictureFile(reference);
+  Contents(reference);  // reports a missing file
+  settings.reference = ReadImageOrNone(reference);
   if (!settings.reference) throw SceneErrors({ErrorIn(reference, "the file cannot be read as an image")});
   return settings;
 }
 
-/// `theme`: one of panel_themes.
+/// Returns the initial panel settings; `theme` is one of panel_themes.
 PanelSettings FirstLook(PanelSettings habits, const std::string& theme) {
   if (theme != "off") habits.theme = theme == "light" ? PanelTheme::light : PanelTheme::dark;
   return habits;
@@ -109,10 +109,10 @@ ViewerSettings WithLook(ViewerSettings settings, const PanelSettings& look) {
   return settings;
 }
 
-/// What bears on live rendering alone.
+/// Returns true if the option affects only live rendering.
 bool IsOfBudget(const std::string& option) { return FindOption(Program::rayview, option)->facts.Has(Fact::budget); }
 
-/// Events as a script that makes them happen again. Times between events are added up.
+/// Records events as a script that repeats them. Times between events are added up.
 class Recorder {
  public:
   explicit Recorder(const std::optional<OutputFile>& file) : file_(file) {}
@@ -135,7 +135,7 @@ class Recorder {
   }
   void Write() const {
     if (!file_) return;
-    // Messages fade after the last event, too.
+    // Messages also fade after the last event.
     const std::string text = text_ + (passed_ > 0 ? ScriptLine(TickEvent{passed_}) : "");
     WriteWhole(*file_, BytesOf(text));
   }
@@ -146,7 +146,7 @@ class Recorder {
   double passed_ = 0;
 };
 
-/// A viewer, something to draw on, and the files around them.
+/// A viewer, its drawing context, and the files around them.
 class Session : public ViewerHost {
  public:
   Session(const ViewerOptions& asked, const ViewerOptions& options, const ViewOutputs& outputs,
@@ -170,8 +170,8 @@ class Session : public ViewerHost {
     if (options.view.panels != "off") viewer_.ShowPanels(first_look_);
   }
 
-  /// The scene shown is not the file's, which has mistakes.
-  void Tell(const SceneErrors& mistakes) { viewer_.TellMistakes(mistakes); }
+  /// Shows mistakes in the file, because of which another scene is displayed.
+  void ShowMistakes(const SceneErrors& mistakes) { viewer_.TellMistakes(mistakes); }
 
   int Run() {
     if (window_) Happen(ResizeEvent{window_->Width(), window_->Height(), window_->Scale()});
@@ -236,7 +236,7 @@ class Session : public ViewerHost {
   std::vector<std::string> RecentScenes() override { return recent_.Files(); }
   ReferenceImage ReadPicture(const std::string& file) override {
     inputs_.push_back(file);
-    return ReadPictureFile(file);
+    return ReadImageOrNone(file);
   }
   void SetClipboard(const std::string& text) override {
     if (window_) window_->SetClipboard(text);
@@ -251,7 +251,7 @@ class Session : public ViewerHost {
     return SettingsFor(options_);
   }
   std::optional<ViewerSettings> SettingsWith(const Scene& scene) override {
-    for (const std::string& file : scene.files)  // of a scene that is edited they are the same again and again
+    for (const std::string& file : scene.files)  // an edited scene repeats the same ones
       if (std::ranges::find(inputs_, file) == inputs_.end()) inputs_.push_back(file);
     if (!scene.files.empty()) recent_.Add(scene.files.front());
     ViewerOptions options = WithSettingsOf(scene, asked_);
@@ -265,21 +265,21 @@ class Session : public ViewerHost {
     options.render.threads = options_.render.threads;
     options.render.budget = WithoutLimits(settings.budget);  // key S takes all samples
     std::erase_if(options.given, IsOfBudget);
-    if (options.files.picture.empty()) options.files.picture = "image.png";
+    if (options.files.image.empty()) options.files.image = "image.png";
     return RayproCommand(options);
   }
 
  private:
-  /// The options that make the image of a job of key S.
+  /// Returns the options that produce the image of a job of key S.
   ViewerOptions OptionsOf(const RenderJob& job) const {
     ViewerOptions options = options_;
     options.render = job.Settings();
-    options.render.threads = options_.render.threads;  // a job fills in how many it took
+    options.render.threads = options_.render.threads;  // a job stores the number of threads used
     std::erase_if(options.given, IsOfBudget);
     return options;
   }
 
-  /// What it says, or why it could not; then the program ends with that status.
+  /// Returns the result of `save`, or its error message; after an error the program ends with that status.
   template <typename Save>
   std::string Attempt(const Save& save) {
     try {
@@ -291,8 +291,8 @@ class Session : public ViewerHost {
     }
   }
 
-  /// Nothing is said of it; throws OutputError where that would replace what was dropped on the window.
-  std::string SaveDrawingTo(const PictureOutput& output) {
+  /// Saves the drawing without a message; throws OutputError if that would replace a file dropped on the window.
+  std::string SaveDrawingTo(const ImageOutput& output) {
     RefuseInputs(output.file, FilesRead());
     ray::SaveDrawing(output, painter_.canvas.Read(), options_.encoding);
     return {};
@@ -305,8 +305,8 @@ class Session : public ViewerHost {
     wants_drawing_ = false;
     Draw();
     viewer_.Tell(Attempt([&] {
-      // Letters and lines suffer in a JPEG.
-      const PictureOutput place = ClaimImageName(R2::FormatForName("image.png") ? "png" : "jpg");
+      // JPEG degrades letters and lines.
+      const ImageOutput place = ClaimImageName(R2::FormatForName("image.png") ? "png" : "jpg");
       ray::SaveDrawing(place, painter_.canvas.Read(), options_.encoding);
       Print("screenshot saved to " + place.file.name);
       return "screenshot saved to " + place.file.name;
@@ -321,7 +321,7 @@ class Session : public ViewerHost {
     window_->Show();
     ShowTitle();
   }
-  /// Draws as fast as the view moves, and in full once it rests.
+  /// Draws in fast mode while the view moves, and in full once it rests.
   void DrawForHand() {
     const bool has_news = viewer_.Update();
     const double now = SecondsSince(start_);
@@ -336,7 +336,7 @@ class Session : public ViewerHost {
     }
     ShowTitle();
   }
-  /// Until the next look, unless an event comes before.
+  /// Returns the time until the next check, unless an event comes earlier.
   double SecondsToWait() const {
     if (viewer_.IsBusy() || viewer_.navigator().IsFlying()) return seconds_while_busy;
     const auto refinement = detail_.RefinementTime();
@@ -379,7 +379,7 @@ class Session : public ViewerHost {
         for (const auto start = Clock::now(); SecondsSince(start) < wait->seconds && StopSignal() == 0;) Pause();
       } else if (const auto* screenshot = std::get_if<Screenshot>(&step)) {
         Draw();
-        ray::SaveDrawing(CheckPictureOutput(screenshot->file, FilesRead()), painter_.canvas.Read(), options_.encoding);
+        ray::SaveDrawing(CheckImageOutput(screenshot->file, FilesRead()), painter_.canvas.Read(), options_.encoding);
       } else if (const auto* panel = std::get_if<ClickPanel>(&step)) {
         Click(*panel);
       } else {
@@ -400,7 +400,8 @@ class Session : public ViewerHost {
     viewer_.Show();  // which may ask for the image's depths
     WaitUntilIdle(ticks);
   }
-  /// All that was: scenes and pictures are dropped and read again after the outputs were checked at the start.
+  /// Returns all files read so far: scenes and images may be dropped and reloaded after the outputs were checked at the
+  /// start.
   std::vector<std::string> FilesRead() const {
     std::vector<std::string> files = inputs_;
     const std::vector<std::string>& of_scene = viewer_.scene().parsed.scene.files;
@@ -411,7 +412,7 @@ class Session : public ViewerHost {
   }
 
   void Click(const ClickPanel& panel) {
-    viewer_.Show();  // where things are by now
+    viewer_.Show();  // updates positions
     viewer_.Reveal(panel.name);
     const auto& items = viewer_.ItemsOfPanels();
     const auto item = std::ranges::find_if(items, [&](const PanelItem& i) { return i.name.starts_with(panel.name); });
@@ -434,7 +435,7 @@ class Session : public ViewerHost {
     }
     ShowTitle();
   }
-  /// A moment passes.
+  /// Lets a moment pass; `ticks`: as for a user who watches.
   void Pause(bool ticks = true) {
     const auto before = Clock::now();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -442,16 +443,16 @@ class Session : public ViewerHost {
     DrawNewsInWindow();
   }
 
-  const ViewerOptions asked_;                                 // on the command line, without the scene's settings
+  const ViewerOptions asked_;                                 // from the command line, without the scene's settings
   ViewerOptions options_;                                     // with these, and as changed in panels
-  std::vector<std::pair<std::string, std::string>> changes_;  // made there
+  std::vector<std::pair<std::string, std::string>> changes_;  // the changes made there
   const ViewOutputs outputs_;
   std::vector<std::string> inputs_;  // read since the start
   const std::unique_ptr<Window> window_;
   const std::unique_ptr<Context> offscreen_;
   Painter painter_;
   Drawer drawer_;
-  const std::string habits_file_;  // empty where there are no habits
+  const std::string habits_file_;  // empty if there are none
   const PanelSettings first_look_;
   Viewer viewer_;
   Recorder recorder_;
@@ -471,10 +472,10 @@ bool IsLookedAt(const ViewOptions& view) { return !view.headless && view.events.
 int View(const ViewerOptions& asked, const ViewerOptions& options, const ViewOutputs& outputs,
          std::shared_ptr<const LoadedScene> scene, const SceneErrors* mistakes, std::unique_ptr<Window> window) {
   CatchInterrupts();
-  // What the scene says of the image's size is known only now.
+  // The scene's setting of the image size is known only now.
   if (options.render.width != asked.render.width || options.render.height != asked.render.height) window.reset();
   Session session(asked, options, outputs, std::move(scene), std::move(window));
-  if (mistakes) session.Tell(*mistakes);
+  if (mistakes) session.ShowMistakes(*mistakes);
   return session.Run();
 }
 

@@ -10,8 +10,8 @@
 
 #include "R1/Elementary.h"
 #include "source/app/options/BudgetWords.h"
+#include "source/app/options/ImageName.h"
 #include "source/app/options/OptionTable.h"
-#include "source/app/options/PictureName.h"
 #include "source/app/report/ProbeImage.h"
 #include "source/render/SceneFeatures.h"
 #include "source/render/forecast/ErrorForecast.h"
@@ -21,19 +21,19 @@
 namespace ray {
 namespace {
 
-constexpr double seconds_a_probe = 1.2;  // so that five or six of them take some seconds
+constexpr double seconds_a_probe = 1.2;  // five or six of them take some seconds
 // Noise is uneven, so many small squares represent an image better than a few large ones.
 constexpr int square_side = 16;
-constexpr std::size_t least_squares = 16, most_squares = 256;  // the error of as many is within 15% of the image's
-// Filters need the pixels around a square too, which are three times as many as those of a square of this size.
+constexpr std::size_t least_squares = 16, most_squares = 256;  // their error is within 15% of the image's
+// Filters also need the surroundings of a square, which are three times its pixels for squares of this size.
 constexpr int filtered_side = 32;
 constexpr std::size_t least_filtered_squares = 4, most_filtered_squares = 16;
 constexpr double seconds_filtered = 1.5;
-constexpr std::size_t all_squares = 1 << 30;  // more squares than an image has
+constexpr std::size_t all_squares = 1 << 30;  // more squares than any image has
 constexpr double most_filtered_samples = 1 << 20;
-constexpr ErrorTarget usual_target{2, ErrorUnit::display};  // noise that one has to look for
+constexpr ErrorTarget usual_target{2, ErrorUnit::display};  // noise that is barely visible
 
-/// Options by name and value, none for a flag.
+/// Options by name and value; the value of a flag is empty.
 using Setting = std::pair<std::string, std::string>;
 using Settings = std::vector<Setting>;
 
@@ -49,7 +49,7 @@ std::string NumberText(double number) {
   return number < 100 ? Rounded(number, 2) : Fixed(number, 0);
 }
 
-/// A change of settings worth a probe.
+/// A change of settings that is worth probing.
 struct Knob {
   Setting setting;
   bool may_help;  // in this scene with these settings
@@ -57,7 +57,7 @@ struct Knob {
 
 bool IsWhitted(const RenderSettings& render) { return render.mode == RenderMode::whitted; }
 
-/// Settings that change noise and time, and on average nothing else.
+/// Returns settings that affect noise and time but not the mean.
 std::vector<Knob> KnobsOfNoise(const World& world, const SceneFeatures& has, const RenderSettings& render) {
   const TraceSettings& trace = render.trace;
   const bool is_path = render.mode == RenderMode::path, takes_all = !has.choice_of_lights;
@@ -74,7 +74,7 @@ std::vector<Knob> KnobsOfNoise(const World& world, const SceneFeatures& has, con
   };
 }
 
-/// Settings that find light which the current ones cut away.
+/// Returns settings that find light cut off by the current ones.
 std::vector<Knob> KnobsOfLight(const SceneFeatures& has, const RenderSettings& render) {
   const TraceSettings& trace = render.trace;
   const bool goes_on = render.mode == RenderMode::path || has.mirrors || has.clear;
@@ -89,7 +89,7 @@ std::vector<Knob> KnobsOfLight(const SceneFeatures& has, const RenderSettings& r
 /// The predicted end of a render with some settings, at which it claims the requested error.
 struct Forecast {
   Settings settings;
-  double samples = 0, seconds = 0;  // per pixel; of one processor, from the start of the program to the file
+  double samples = 0, seconds = 0;  // per pixel; of one processor, from the start of the program to the written file
   double seconds_of_sample = 0;     // of all pixels, as far as they were probed
 };
 
@@ -106,8 +106,8 @@ class Advisor {
         has_target_(options.render.budget.error.has_value()),
         target_(*options_.render.budget.error),
         seconds_beside_(seconds_to_start +
-                        SecondsToFinish(options_.render, EncoderOf(PictureName(options), options.encoding))) {
-    // The time of a few squares decides how many are probed, to twice as many samples.
+                        SecondsToFinish(options_.render, EncoderOf(ImageName(options), options.encoding))) {
+    // The time of a few squares determines how many are probed, to twice as many samples.
     const PixelRectangle image = RegionOf(options_.render);
     const auto few = SquaresToProbe(image, square_side, 4);
     const double seconds = 2 * ProbeToError(world_, accelerator_, options_.render, few, 0).passes.back().seconds;
@@ -164,9 +164,9 @@ class Advisor {
     if (!options.render.budget.error) options.render.budget.error = usual_target;
     return options;
   }
-  /// The image's name decides its format, PNG where none is given.
-  static std::string PictureName(const RenderOptions& options) {
-    return options.files.picture.empty() ? standard_stream : options.files.picture;
+  /// Returns the name that determines the image's format; PNG if none is given.
+  static std::string ImageName(const RenderOptions& options) {
+    return options.files.image.empty() ? standard_stream : options.files.image;
   }
 
   RenderSettings With(const Settings& settings) const {
@@ -188,7 +188,7 @@ class Advisor {
   bool CanDenoise() const {
     return options_.render.mode == RenderMode::whitted || options_.render.mode == RenderMode::path;
   }
-  /// Returns as many squares as there is time to sample 8 times and to filter.
+  /// Returns as many squares as can be sampled 8 times and filtered in the available time.
   std::vector<PixelRectangle> FilteredSquares() const {
     constexpr double samples = 8, pixels = 4 * filtered_side * filtered_side;  // of a square and its surroundings
     const PixelRectangle image = RegionOf(options_.render);
@@ -205,7 +205,7 @@ class Advisor {
     const Probe::Arrival arrival = probe.ArrivalAt(*render.budget.error);
     double samples = arrival.samples;
     if (probe.stop && !has_time_for_all_ && probe.passes.size() > 1) {
-      // Fewer than those of the last pass may do.
+      // Fewer samples than those of the last pass may suffice.
       const auto before = std::span(probe.passes).first(probe.passes.size() - 1);
       const auto between = ray::ForecastOf(before, *render.budget.error);
       samples = std::min(samples, between->samples);
@@ -217,7 +217,7 @@ class Advisor {
     return {settings, is_reached ? samples : arrival.samples,
             is_reached ? seconds_beside_ + arrival.seconds * samples / arrival.samples : arrival.samples};
   }
-  /// Returns the target of a few squares, stricter so that the whole image reaches the requested one.
+  /// Returns the target for a few squares, stricter so that the whole image reaches the requested one.
   ///   source   claims of 16 squares were 0.8 to 1.1 times those of the whole image in the scenes of script/advice.py
   static ErrorTarget Stricter(ErrorTarget target) {
     constexpr double margin = 1.2;
@@ -239,7 +239,7 @@ class Advisor {
   }
   bool IsNoiseless() const { return asked_.square == 0 && asked_.stop == Stop::error; }
   bool IsNoticeablyFaster(const Forecast& forecast) const {
-    constexpr double noticeable = 1.1;  // less is within what squares vary by
+    constexpr double noticeable = 1.1;  // smaller differences are within the variation of squares
     return noticeable * forecast.seconds < asked_forecast_.seconds;
   }
 
@@ -298,9 +298,9 @@ class Advisor {
   const World& world_;
   const Accelerator& accelerator_;
   const RenderOptions options_;
-  const bool has_target_;  // asked for
+  const bool has_target_;  // requested by the user
   const ErrorTarget target_;
-  const double seconds_beside_;  // to start, and to write the image
+  const double seconds_beside_;  // for starting, and for writing the image
   bool has_time_for_all_ = false;
   std::vector<PixelRectangle> squares_;
   Probe asked_;

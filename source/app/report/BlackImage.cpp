@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-/// The settings of a small image of the same view and light.
+/// Returns the settings of a small image with the same view and light.
 RenderSettings Small(const RenderSettings& settings) {
   constexpr int side = 32;
   RenderSettings small = settings;
@@ -28,7 +28,7 @@ RenderSettings Small(const RenderSettings& settings) {
   return small;
 }
 
-/// A summary of what the camera rays of a small image hit.
+/// A summary of the hits of the camera rays of a small image.
 struct Views {
   std::size_t backs = 0;            // hits on the back of a surface
   std::size_t black = 0;            // hits on a surface that reflects nothing
@@ -36,7 +36,7 @@ struct Views {
   bool meets_removed_back = false;  // a ray would hit a one-sided surface from behind
 };
 
-/// True if the ray hits the back of a one-sided surface, which it does not see.
+/// Returns true if the ray hits the invisible back of a one-sided surface.
 bool MeetsRemovedBack(const World& world, const R3::Ray& ray) {
   return std::ranges::any_of(world.Instances(), [&](const Instance& instance) {
     if (!instance.material->one_sided) return false;
@@ -49,7 +49,7 @@ bool MeetsRemovedBack(const World& world, const R3::Ray& ray) {
 }
 
 Views ViewsOf(const World& world, const Accelerator& accelerator, const RenderSettings& small, const Camera& camera) {
-  constexpr std::size_t most_tried = 16;  // rays, since all instances are asked
+  constexpr std::size_t most_tried = 16;  // rays, since all instances are tested
   Views views;
   Workspace workspace;
   const auto pixels = static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height);
@@ -79,7 +79,7 @@ bool IsLitWith(const World& world, const Accelerator& accelerator, const RenderS
   return !IsWhollyBlack(Render(world, accelerator, settings, monitor).image);
 }
 
-/// The settings with the eye behind the first surface that most rays meet.
+/// Returns the settings with the eye behind the first surface that most rays meet.
 RenderSettings BehindFirstSurface(const RenderSettings& small, Camera camera, std::vector<double> distances) {
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
@@ -112,7 +112,7 @@ std::string WhyBlack(const World& world, const Accelerator& accelerator, const R
     return "everything in view is in shadow: no light reaches it";
   if (2 * views.backs > views.distances.size())
     return "the camera sees surfaces from behind, and the lights are on their other side";
-  return "no light reaches what is in view";
+  return "no light reaches the surfaces in view";
 }
 
 }  // namespace ray

@@ -15,7 +15,7 @@
 namespace ray {
 namespace {
 
-// Rational directions meet edges and vertices of what people model; these do not.
+// Rational directions meet edges and vertices of typical models; these do not.
 const std::array<R3::Vector, 3> odd_directions{R3::Vector{0.5772156649, 0.6931471806, 0.4342944819},
                                                R3::Vector{-0.3678794412, 0.8346268417, 0.2614972128},
                                                R3::Vector{0.1234987610, -0.4812118251, 0.9159655942}};
@@ -41,8 +41,8 @@ bool IsInside(const World& world, const Instance& instance, const R3::Point& poi
   return std::all_of(odd_directions.begin(), odd_directions.begin() + static_cast<std::ptrdiff_t>(rays), is_odd);
 }
 
-/// Planes through the eye; a box that lies on the outer side of one of them is not seen. None where the camera is no
-/// pinhole, whose view planes do not bound.
+/// Returns the planes through the eye that bound the view; a box on the outer side of one of them is not visible. Empty
+/// if the camera is not a pinhole, whose view planes bound it.
 std::vector<R3::Vector> InwardSides(const Camera& camera, const RenderSettings& settings) {
   if (!camera.IsPinhole()) return {};
   const double x = camera.HalfWidth(), y = camera.HalfHeight(settings.width, settings.height);
@@ -60,15 +60,15 @@ bool IsOutside(const R3::Box& box, const R3::Point& eye, const R3::Vector& inwar
 
 bool ReflectsAmbientLight(const Instance& instance) { return !IsBlack(instance.material->ka); }
 
-/// Whether all of the instance is on the outer side of one of the planes through the eye.
+/// Returns true if the whole instance is on the outer side of one of the planes through the eye.
 bool IsOutsideView(const World& world, const Instance& instance, const R3::Point& eye,
                    std::span<const R3::Vector> inward) {
   const R3::Box box = WorldBounds(world, instance);
   return !box.IsEmpty() && std::ranges::any_of(inward, [&](const auto& side) { return IsOutside(box, eye, side); });
 }
 
-/// Whether the box is a wall of the room that the eye is in, such as the one behind the camera: the eye is in front of
-/// it, and no farther off than it is wide and high.
+/// Returns true if the box is a wall of the room around the eye, such as the one behind the camera: the eye is in front
+/// of it, at most as far away as the box is wide and high.
 bool IsWallAround(const R3::Box& box, const R3::Point& eye) {
   const std::array<double, 3> at{eye.x, eye.y, eye.z}, low{box.low.x, box.low.y, box.low.z},
       high{box.high.x, box.high.y, box.high.z};
@@ -86,7 +86,7 @@ const Camera& CameraOf(const Inspection& inspection) {
   return inspection.settings.view ? *inspection.settings.view : inspection.world.scene().camera;
 }
 
-/// What of the scene the camera does not see.
+/// Finds the parts of the scene that the camera does not see.
 class OutOfView {
  public:
   explicit OutOfView(const Inspection& inspection)
@@ -116,10 +116,11 @@ std::string Unlit(const Inspection& inspection) {
 std::string FlareOfNothing(const Inspection& inspection) {
   const bool is_of_nothing = HasFlare(CameraOf(inspection), inspection.settings) &&
                              ShiningLights(inspection.world, inspection.settings).empty();
-  return is_of_nothing ? "-flare has no effect without a light; what emits has no lens flare" : "";
+  return is_of_nothing ? "-flare has no effect without a light; emissive surfaces have no lens flare" : "";
 }
 
-/// Inside of glass one may well look out. Meshes are looked into by -check alone, since that takes time.
+/// Reports a camera inside a shape; a view out of glass may be intended. Meshes are tested by -check alone, since that
+/// takes time.
 std::string CameraInside(const Inspection& inspection) {
   const int solids = SolidsAround(inspection.world, CameraOf(inspection).eye, [&](const Instance& instance) {
     return IsBlack(instance.material->kt) && (inspection.effort == Effort::check || instance.shape->IsSolid());
@@ -127,7 +128,7 @@ std::string CameraInside(const Inspection& inspection) {
   return solids > 0 ? "the camera is inside " + Counted(static_cast<std::uint64_t>(solids), "shape") : "";
 }
 
-/// In languages whose materials have a color and the weights of it.
+/// Returns true for materials, of languages with a color and weights, whose color has no weight.
 bool HasUnusedColor(const Material& m) {
   const bool is_black = IsBlack(m.ka) && IsBlack(m.kd) && IsBlack(m.ks) && IsBlack(m.kr) && IsBlack(m.kt);
   return m.color && !IsBlack(*m.color) && is_black && IsBlack(m.emission) && m.coat == 0;
@@ -135,8 +136,8 @@ bool HasUnusedColor(const Material& m) {
 
 bool HasSpecular(const Material& m) { return !IsBlack(m.ks) || !IsBlack(m.kr); }
 
-/// Colors of 0 to 255 where they should be of 0 to 1. Some scenes reflect a little more than arrives; a scene whose
-/// brightest color is less than 16 of 255 would be all but black.
+/// Returns true for colors of 0 to 255 that should be of 0 to 1. Some scenes reflect a little more than arrives; a
+/// scene whose brightest color is less than 16 of 255 would be nearly black.
 bool HasKdOfBytes(const Material& m) {
   constexpr double least = 16;
   return std::max({m.kd.r, m.kd.g, m.kd.b}) >= least;
@@ -157,7 +158,7 @@ std::vector<std::string> ShapesOutOfView(const Inspection& inspection) {
   return {WarningAt(inspection.world, *outside[0]) + "this shape lies outside the view" + AndMore(outside.size())};
 }
 
-/// Reports each mesh some of whose triangles were turned around to agree with their vertex normals.
+/// Reports each mesh with triangles that were flipped to agree with their vertex normals.
 std::vector<std::string> TurnedMeshes(const Inspection& inspection) {
   std::vector<std::string> mistakes;
   std::set<const R3::Shape*> seen;
@@ -175,7 +176,7 @@ std::vector<std::string> TurnedMeshes(const Inspection& inspection) {
   return mistakes;
 }
 
-// One question stays one thought.
+// clang-format would split entries over many lines.
 // clang-format off
 constexpr Question questions[] = {
     {Effort::warning, SceneFault{NothingInView}},
@@ -190,7 +191,7 @@ constexpr Question questions[] = {
       [](const Instance& i, const Inspection&) { return i.material->specular_map && !HasSpecular(*i.material); }}},
     {Effort::warning, ShapeFault{"this shape has a color but no ka, kd or ks, and is black",
       [](const Instance& i, const Inspection& all) {
-        const RenderMode mode = all.settings.mode;  // the tones of gooch are no material's
+        const RenderMode mode = all.settings.mode;  // the tones of gooch do not come from materials
         return ShowsLight(mode) && mode != RenderMode::gooch && HasUnusedColor(*i.material);
       }}},
     {Effort::warning, ShapeFault{
@@ -234,7 +235,8 @@ std::string PlaceOf(const World& world, const Instance& instance) {
 R3::Box WorldBounds(const World& world, const Instance& instance) {
   const bool is_baked = instance.shape != instance.node->shape.get();
   // A shape's own transform is the identity, so its node's box is the shape's, in the frame of the instance. That of a
-  // baked mesh is in the frame that the mesh has left; looking at its corners takes little beside reading them.
+  // baked mesh is in the frame that the mesh has left; visiting its corners takes little time compared with reading
+  // them.
   const R3::Box local = is_baked ? R3::Bounds(*instance.shape) : instance.node->bounds;
   return local.IsEmpty() ? local : world.Frames()[instance.frame] * local;
 }

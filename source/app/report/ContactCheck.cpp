@@ -15,17 +15,17 @@ namespace {
 /// Two instances.
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Whether both are seen where they lie in one plane: a clear solid, and what it stands on.
+/// Returns true if both are visible where they lie in one plane: a clear solid, and what it stands on.
 bool AreBothSeen(const Instance& a, const Instance& b) {
   return (a.is_medium && a.IsClear()) || (b.is_medium && b.IsClear());
 }
 
-/// Adds rays through the image, in a grid of at most `side` times `side`, and no more than it has pixels.
+/// Adds rays through the image, in a grid of at most `side` times `side`, and at most one per pixel.
 void AddCameraRays(const World& world, const RenderSettings& settings, int side, std::vector<R3::Ray>& rays) {
   const Camera camera = settings.view.value_or(world.scene().camera);
   const int columns = std::min(side, settings.width), rows = std::min(side, settings.height);
   for (int i = 0; i < rows * columns; ++i) {
-    // Places of the image that no model has its edges at.
+    // Points of the image that do not coincide with the edges of typical models.
     const double x = (i % columns + 0.3719) / columns * settings.width;
     const double y = (i / columns + 0.4142) / rows * settings.height;
     if (const auto ray = camera.RayThrough(x, y, settings.width, settings.height)) rays.push_back(*ray);
@@ -52,12 +52,12 @@ void AddRaysToLamps(const World& world, std::vector<R3::Ray>& rays) {
   }
 }
 
-/// Pairs of different materials, the first of which hides the second: shapes that are the same, and in one plane that
-/// the camera or a lamp shows.
+/// Returns pairs of different materials, the first of which hides the second: equal shapes, and shapes in one plane
+/// that the camera or a lamp shows.
 ///   side   of the grid of camera rays
 std::vector<Pair> PairsInOnePlane(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                                   int side) {
-  constexpr std::size_t most_hits = 1'000'000;  // of all rays: as many surfaces in one place are no more mistakes
+  constexpr std::size_t most_hits = 1'000'000;  // of all rays: more surfaces in one place add no information
   std::vector<R3::Ray> rays;
   AddCameraRays(world, settings, side, rays);
   AddRaysToLamps(world, rays);
@@ -88,7 +88,7 @@ std::vector<Pair> PairsInOnePlane(const World& world, const Accelerator& acceler
   return pairs;
 }
 
-/// Traces at most 1,152 rays with a render, and 4,224 in -check.
+/// Reports surfaces in one plane. Traces at most 1,152 rays with a render, and 4,224 in -check.
 std::vector<std::string> SurfacesInOnePlane(const Inspection& inspection) {
   const World& world = inspection.world;
   const bool is_check = inspection.effort == Effort::check;
@@ -105,19 +105,18 @@ std::vector<std::string> SurfacesInOnePlane(const Inspection& inspection) {
 
 /// Returns true for solids and closed meshes of few triangles; larger ones would take too long.
 bool IsClosed(const Instance& instance) {
-  constexpr int most_triangles = 5000;  // three rays are tested against each, 0.5 ms in all
+  constexpr int most_triangles = 5000;  // three rays are tested against each, 0.5 ms in total
   if (!instance.mesh) return instance.shape->IsSolid();
   return instance.mesh->Elements() <= most_triangles && instance.mesh->IsClosed();
 }
 
-/// Reports lights that only the inside of a shape sees: those without extent, since others are seen where they stick
-/// out.
+/// Reports lights without extent inside a shape; lights with an extent are visible where they stick out.
 std::string LightsInSolids(const Inspection& inspection) {
   const auto& [world, settings, accelerator, effort] = inspection;
   std::vector<const Light*> lights;
   for (const Light* light : ShiningLights(world, settings))
     if (!light->IsExtended() && !light->Bound().is_infinite) lights.push_back(light);
-  std::vector<const Instance*> solids;  // that no light leaves, around some light
+  std::vector<const Instance*> solids;  // that block all light, around some light
   for (const Instance& instance : world.Instances()) {
     const auto may_hold = [&instance](const Light* light) { return instance.bounds.Contains(light->Bound().center); };
     if (!instance.IsClear() && std::ranges::any_of(lights, may_hold) && IsClosed(instance)) solids.push_back(&instance);
@@ -138,12 +137,12 @@ bool IsOpenGlass(const Instance& instance, const Inspection&) {
          !instance.is_medium;
 }
 
-/// True for materials that need both sides and have one.
+/// Returns true for one-sided materials that need both sides.
 bool IsGlassOfOneSide(const Instance& i, const Inspection&) {
   return i.material->one_sided && (i.IsClear() || !IsBlack(i.material->absorb));
 }
 
-/// Some places of a box, evenly spread.
+/// Returns some points of a box, evenly spread.
 std::vector<R3::Point> PlacesIn(const R3::Box& box) {
   constexpr std::uint32_t count = 64;
   const Points points(SamplerKind::sobol, RandomKey(1), count);
@@ -156,7 +155,7 @@ std::vector<R3::Point> PlacesIn(const R3::Box& box) {
   return places;
 }
 
-/// Whether a place inside of both is found where their boxes overlap.
+/// Returns true if a point inside both is found where their boxes overlap.
 bool Overlap(const World& world, const Instance& a, const Instance& b) {
   const R3::Box &p = a.bounds, &q = b.bounds;
   const R3::Box both = Common(p, q);
@@ -165,7 +164,7 @@ bool Overlap(const World& world, const Instance& a, const Instance& b) {
       PlacesIn(both), [&](const R3::Point& place) { return Holds(world, a, place) && Holds(world, b, place); });
 }
 
-/// Whether places inside of one are found, and all of them inside of another.
+/// Returns true if points inside one are found, all of them inside the other.
 bool IsWithin(const World& world, const Instance& inner, const Instance& outer) {
   if (!(outer.bounds.Contains(inner.bounds.low) && outer.bounds.Contains(inner.bounds.high))) return false;
   bool has_inside = false;
@@ -177,14 +176,14 @@ bool IsWithin(const World& world, const Instance& inner, const Instance& outer) 
   return has_inside;
 }
 
-/// What is wrong with the priorities of two clear solids, the first of the file first; nothing where they are right.
+/// Returns what is wrong with the priorities of two clear solids, the first of the file first; empty if nothing is.
 std::string ContradictionOf(const World& world, const Instance& first, const Instance& second) {
   const Material &a = *first.material, &b = *second.material;
   if (a.priority != b.priority) {
     const Instance &lower = a.priority < b.priority ? first : second, &higher = &lower == &first ? second : first;
     if (!IsWithin(world, lower, higher)) return {};
     return WarningAt(world, lower) + "this solid lies inside that of " + PlaceOf(world, higher) +
-           ", whose material has a higher priority: nothing of it is seen";
+           ", whose material has a higher priority: it is invisible";
   }
   if (a.ir == b.ir || !Overlap(world, first, second)) return {};
   return WarningAt(world, second) + "this solid and that of " + PlaceOf(world, first) +
@@ -192,13 +191,13 @@ std::string ContradictionOf(const World& world, const Instance& first, const Ins
          "unless a priority says otherwise";
 }
 
-/// Reports clear solids that claim the same place: which of them refracts there is decided by the order of the file, or
-/// by a priority that hides one of them.
+/// Reports clear solids that claim the same place: the order of the file decides which of them refracts there, or a
+/// priority that hides one of them.
 std::vector<std::string> ClaimsOfOnePlace(const Inspection& inspection) {
   std::vector<const Instance*> clear;
   for (const Instance& instance : inspection.world.Instances())
     if (instance.is_medium && instance.IsClear()) clear.push_back(&instance);
-  constexpr std::size_t most = 200;  // all pairs of these are looked at, in 0.1 s
+  constexpr std::size_t most = 200;  // all pairs of these are tested, in 0.1 s
   if (clear.size() > most) clear.resize(most);
   for (std::size_t i = 0; i < clear.size(); ++i)
     for (std::size_t j = i + 1; j < clear.size(); ++j)
@@ -206,7 +205,7 @@ std::vector<std::string> ClaimsOfOnePlace(const Inspection& inspection) {
   return {};
 }
 
-// One question stays one thought.
+// clang-format would split entries over many lines.
 // clang-format off
 constexpr Question contact_questions[] = {
     {Effort::hint, PlacedFaults{SurfacesInOnePlane}},

@@ -6,7 +6,7 @@
 
 #include "R2/ImageFile.h"
 #include "source/app/files/ReadInputs.h"
-#include "source/app/options/PictureName.h"
+#include "source/app/options/ImageName.h"
 #include "source/app/report/Memory.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Resources.h"
@@ -21,7 +21,7 @@ namespace {
   throw SceneErrors({ErrorIn(file, reason)});
 }
 
-/// Files and pipes can be read.
+/// Rejects everything except files and pipes.
 void RefuseUnreadable(const std::string& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
@@ -51,7 +51,7 @@ std::vector<unsigned char> ReadBytes(const std::string& file) {
   return bytes;
 }
 
-R2::DecodedImage DecodePicture(const std::string& file, std::span<const unsigned char> bytes) {
+R2::DecodedImage DecodeImageFile(const std::string& file, std::span<const unsigned char> bytes) {
   try {
     const R2::ImageSize size = R2::ReadImageSize(bytes);
     const std::int64_t needed = std::int64_t{3 * sizeof(float)} * size.width * size.height, limit = MemoryLimit(0);
@@ -64,22 +64,22 @@ R2::DecodedImage DecodePicture(const std::string& file, std::span<const unsigned
   }
 }
 
-R2::DecodedImage ReadPicture(const std::string& file) {
-  R2::DecodedImage picture = DecodePicture(file, ReadBytes(file));
-  PrintWarnings(file, picture.warnings);
-  return picture;
+R2::DecodedImage ReadImageFile(const std::string& file) {
+  R2::DecodedImage decoded = DecodeImageFile(file, ReadBytes(file));
+  PrintWarnings(file, decoded.warnings);
+  return decoded;
 }
 
-std::string PictureText(const std::string& file, const R2::ImageHeader& picture) {
-  std::string text = Escaped(file == standard_stream ? standard_input_name : file) + ": " + picture.format->name +
-                     ", " + std::to_string(picture.size.width) + "x" + std::to_string(picture.size.height) + "\n";
-  for (const auto& [key, value] : picture.settings) text += Escaped(key) + ": " + Escaped(value) + "\n";
+std::string ImageText(const std::string& file, const R2::ImageHeader& header) {
+  std::string text = Escaped(file == standard_stream ? standard_input_name : file) + ": " + header.format->name + ", " +
+                     std::to_string(header.size.width) + "x" + std::to_string(header.size.height) + "\n";
+  for (const auto& [key, value] : header.settings) text += Escaped(key) + ": " + Escaped(value) + "\n";
   return text;
 }
 
-std::string PictureInfo(const std::string& file) {
+std::string ImageInfo(const std::string& file) {
   try {
-    return PictureText(file, R2::ReadImageHeader(ReadBytes(file)));
+    return ImageText(file, R2::ReadImageHeader(ReadBytes(file)));
   } catch (const R2::ImageError& error) {
     Refuse(file, error.what());
   }

@@ -8,18 +8,19 @@
 
 namespace ray {
 
-/// Throws SceneErrors when it is missing.
+/// Returns the bytes of a file. Throws SceneErrors if it is missing.
 std::vector<unsigned char> ReadBytes(const std::string& file);
-/// Throws SceneErrors, which name the file, when the bytes are no picture. Its warnings are left to the caller.
-R2::DecodedImage DecodePicture(const std::string& file, std::span<const unsigned char> bytes);
-/// Reads and decodes a picture, and prints its warnings.
-R2::DecodedImage ReadPicture(const std::string& file);
+/// Decodes an image. Throws SceneErrors with the file's name if the bytes are not an image. Its warnings are left to
+/// the caller.
+R2::DecodedImage DecodeImageFile(const std::string& file, std::span<const unsigned char> bytes);
+/// Reads and decodes an image, and prints its warnings.
+R2::DecodedImage ReadImageFile(const std::string& file);
 
-/// "out.png: png, 512x512" and a line for each setting kept in the picture.
-std::string PictureText(const std::string& file, const R2::ImageHeader& picture);
+/// Returns "out.png: png, 512x512" and a line for each setting stored in the image.
+std::string ImageText(const std::string& file, const R2::ImageHeader& header);
 
-/// What -info prints: size and format of a picture and the settings kept in it. Throws SceneErrors when it is missing
-/// or no picture.
-std::string PictureInfo(const std::string& file);
+/// Returns the text of -info: size and format of an image and the settings stored in it. Throws SceneErrors if it is
+/// missing or not an image.
+std::string ImageInfo(const std::string& file);
 
 }  // namespace ray

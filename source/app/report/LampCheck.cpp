@@ -24,27 +24,28 @@ bool IsToBeLit(const Instance& instance) {
   return !instance.Emits() && !(IsBlack(m.kd) && IsBlack(m.ks));
 }
 
-/// Adds the middles of the eight parts of a box.
+/// Adds the centers of the eight parts of a box.
 void AddMiddles(const R3::Box& box, Places& places) {
   for (int k = 0; k < 8 && !box.IsEmpty(); ++k) places.push_back(box.Center() + 0.5 * (box.Corner(k) - box.Center()));
 }
 
-/// Where light is compared: in a few of the shapes that reflect it, the middles of the eight parts of the box around
-/// each, since the middle of all may lie in the plane of a lamp. None where nothing reflects light.
+/// Returns the points at which light is compared: in a few of the shapes that reflect it, the centers of the eight
+/// parts of the box around each, since the center of the whole may lie in the plane of a lamp. Empty if nothing
+/// reflects light.
 Places PlacesToCompare(const World& world) {
   std::vector<R3::Box> lit;
   for (const Instance& instance : world.Instances())
     if (instance.is_bounded && IsToBeLit(instance)) lit.push_back(WorldBounds(world, instance));
-  // Planes, which have no middle: what stands on them is as far from the lamps.
+  // Planes have no center, but objects standing on them are as far from the lamps.
   if (lit.empty() && std::ranges::any_of(world.Instances(), IsToBeLit)) lit.push_back(world.scene().root.bounds);
-  constexpr std::size_t most_boxes = 8;  // 64 places, times 1 s per ten million lamps
+  constexpr std::size_t most_boxes = 8;  // 64 points, times 1 s per ten million lamps
   const std::size_t step = (lit.size() + most_boxes - 1) / most_boxes;
   Places places;
   for (std::size_t i = 0; i < lit.size(); i += step) AddMiddles(lit[i], places);
   return places;
 }
 
-/// How large a triangle looks from a point, in [0, 2 pi].
+/// Returns the solid angle of a triangle as seen from a point, in [0, 2 pi].
 ///   source   Van Oosterom, Strackee, The solid angle of a plane triangle (1983), eq. 8
 double SolidAngle(const EmissiveTriangle& triangle, const R3::Point& from) {
   const auto& [p, q, r] = triangle.corners;
@@ -52,7 +53,8 @@ double SolidAngle(const EmissiveTriangle& triangle, const R3::Point& from) {
   return 2 * R1::Atan2(std::abs(Dot(a, Cross(b, c))), 1 + Dot(a, b) + Dot(b, c) + Dot(c, a));
 }
 
-/// How large a shape looks from a point: the mean of 1 / pdf over places drawn on it, which for a sphere is exact.
+/// Returns the solid angle of a shape as seen from a point: the mean of 1 / pdf over points sampled on it, which is
+/// exact for a sphere.
 double SolidAngle(const EmissiveShape& shape, const R3::Point& from) {
   constexpr int strata = 8;
   double sum = 0;
@@ -63,8 +65,8 @@ double SolidAngle(const EmissiveShape& shape, const R3::Point& from) {
   return sum / (strata * strata);
 }
 
-/// A white diffuse surface shows of a radiance from a small solid angle W around its normal W / pi, and all of it if
-/// that comes from the whole hemisphere.
+/// Returns the share of a radiance that a white diffuse surface reflects: W / pi for a small solid angle W around its
+/// normal, and all of it if it comes from the whole hemisphere.
 double ShownOfRadiance(double solid_angle) { return std::min(1.0, solid_angle / pi); }
 
 R2::Color EmissionOf(const EmissiveTriangle& triangle) { return triangle.emission; }
@@ -79,17 +81,17 @@ double ShownOf(const std::vector<Emitter>& emitters, const Places& places) {
   return sum / static_cast<double>(places.size());
 }
 
-/// What all lamps give in mode path, or those made of triangles.
+/// Returns the light of all lamps in mode path, or of those made of triangles.
 double LampsOfPath(const World& world, const Places& places, bool counts_solids) {
   const double triangles = ShownOf(EmissiveTriangles(world), places);
   if (!counts_solids) return triangles;
-  double planes = 0;  // which fill half of what is seen
+  double planes = 0;  // which fill half of the view
   for (const Instance& instance : world.Instances())
     if (instance.Emits() && !instance.is_bounded) planes += Luminance(instance.material->emission);
   return triangles + ShownOf(EmissiveShapes(world), places) + planes;
 }
 
-/// What lamps give in mode whitted, wherever they are.
+/// Returns the light of lamps in mode whitted, independent of their positions.
 double LampsOfWhitted(const World& world, const TraceSettings& settings) {
   double sum = 0;
   for (const TriangleLamp& lamp : TriangleLamps(world, settings.emissive_meshes)) sum += Luminance(lamp.Emission());
@@ -109,14 +111,14 @@ double LightOf(const std::vector<const Light*>& lights, const Places& places) {
   return sum / static_cast<double>(places.size());
 }
 
-/// The mean radiance of the environment.
+/// Returns the mean radiance of the environment.
 double RadianceAround(const Scene& scene) {
   if (!scene.environment || scene.environment->IsBlack()) return 0;
-  const Environment::Sample any = scene.environment->Draw({0.5, 0.5});  // luminance over pdf is alike for all
+  const Environment::Sample any = scene.environment->Draw({0.5, 0.5});  // luminance over pdf is the same for all
   return Luminance(any.radiance) / any.pdf / (4 * pi);
 }
 
-/// "about 6.3 times", "about 630 times"
+/// Returns "about 6.3 times" or "about 630 times".
 std::string Times(double factor) {
   if (!(factor < 1e6)) return "more than a million times";
   double unit = 1;
@@ -124,11 +126,11 @@ std::string Times(double factor) {
   return "about " + (unit == 1 ? Rounded(factor, 2) : Fixed(unit * std::round(factor / unit), 0)) + " times";
 }
 
-/// Light that arrives in one of the modes, in the units of the scene language.
+/// The light that arrives in one of the modes, in the units of the scene language.
 struct ModeLight {
-  double lamps, all;  // from shapes that emit; from these and from all else
+  double lamps, all;  // from emissive shapes; from these and everything else
 
-  /// Whether lamps are more than twice as strong, and most of the light, which is twice as strong too.
+  /// Returns true if lamps are more than twice as strong, and most of the light, which is twice as strong too.
   bool IsTwice(const ModeLight& other) const {
     return lamps > 2 * other.lamps && 2 * lamps > all && all > 2 * other.all;
   }
@@ -137,7 +139,7 @@ struct ModeLight {
 ModeLight LightOfPath(const World& world, const Places& places, double around, bool counts_solids) {
   const Scene& scene = world.scene();
   const double lamps = LampsOfPath(world, places, counts_solids);
-  const double background = scene.environment ? 0 : Luminance(scene.background);  // lights as an environment does
+  const double background = scene.environment ? 0 : Luminance(scene.background);  // lights like an environment
   return {lamps, lamps + LightOf(LightsOfPath(world), places) + around + background};
 }
 
@@ -146,19 +148,19 @@ ModeLight LightOfWhitted(const World& world, const Places& places, double around
   return {lamps, lamps + LightOf(LightsOfWhitted(world, settings), places) + around};
 }
 
-/// How the modes whitted and path differ, if lamps make the light of the one more than twice that of the other; else
-/// empty.
+/// Returns how the modes whitted and path differ, if the lamps of one give more than twice the light of the other;
+/// otherwise an empty text.
 std::string DifferenceOfModes(const World& world, const RenderSettings& settings) {
   const Scene& scene = world.scene();
   Places places = PlacesToCompare(world);
   if (places.empty()) return {};
-  if (LampsOfPath(world, places, true) == 0) {  // all lie in the plane of a lamp, such as that of a ceiling around it
+  if (LampsOfPath(world, places, true) == 0) {  // all points lie in the plane of a lamp, such as a ceiling around it
     R3::Box seen = scene.root.bounds;
     seen.Extend(settings.view.value_or(scene.camera).eye);
     places.clear();
     AddMiddles(seen, places);
   }
-  // Solids that light nothing in mode whitted are pointed out there one by one.
+  // Solids that light nothing in mode whitted are reported there one by one.
   const bool counts_solids =
       settings.trace.emissive_solids_light || settings.mode == RenderMode::path || scene.has_default_lights;
   const double around = Luminance(scene.ambient) + RadianceAround(scene);
@@ -177,11 +179,11 @@ std::string DifferenceOfModes(const World& world, const RenderSettings& settings
   if (path.IsTwice(whitted))
     return "lamps light the scene " + Times(path.lamps / whitted.lamps) +
            " as strongly in mode path, where every emissive surface is a lamp, as in mode whitted; -emissive_solids on "
-           "adds the lamps that mode whitted leaves out";
+           "adds the lamps that mode whitted ignores";
   return {};
 }
 
-/// Points out meshes that are as many lamps as they have triangles.
+/// Reports meshes that are as many lamps as they have triangles.
 std::vector<std::string> MeshesOfLamps(const World& world, const RenderSettings& settings) {
   if (EmitsRadiance(settings)) return {};
   std::vector<const Instance*> many;
@@ -196,9 +198,9 @@ std::vector<std::string> MeshesOfLamps(const World& world, const RenderSettings&
           AndMore(many.size())};
 }
 
-/// True where comparing the light of lamps takes no more than some milliseconds.
+/// Returns true if comparing the light of lamps takes no more than some milliseconds.
 bool HasFewLamps(const World& world) {
-  constexpr std::int64_t many = 64;       // 13 ms, since 64 places are drawn on each for 64 places that are lit
+  constexpr std::int64_t many = 64;       // 13 ms, since 64 points are sampled on each for 64 lit points
   constexpr std::int64_t triangles = 64;  // that take as long as another shape
   std::int64_t lamps = 0;
   for (const Instance& instance : world.Instances())
@@ -216,7 +218,7 @@ std::vector<std::string> LampMistakes(const Inspection& inspection) {
   const auto lamp = std::ranges::find_if(world.Instances(), &Instance::Emits);
   if (!is_of_light || lamp == world.Instances().end()) return {};
   std::vector<std::string> mistakes = MeshesOfLamps(world, settings);
-  if (settings.trace.emission == Emission::color) return mistakes;  // then the modes are alike
+  if (settings.trace.emission == Emission::color) return mistakes;  // the modes are then equivalent
   if (const std::string difference = DifferenceOfModes(world, settings); !difference.empty())
     mistakes.push_back(WarningAt(world, *lamp) + difference);
   return mistakes;

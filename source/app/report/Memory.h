@@ -7,17 +7,18 @@
 
 namespace ray {
 
-/// The bytes that the program may take, for the GiB that -memory gives; three quarters of this machine's memory for 0.
+/// Returns the bytes that the program may use, for the GiB given by -memory; three quarters of this machine's memory
+/// for 0.
 std::int64_t MemoryLimit(double gibibytes);
 
-/// Before anything is built or rendered, throws UsageError where what the process holds already, the largest that an
-/// acceleration structure may take, and the picture with its layers and references together exceed the limit.
-///   picture     its PictureBytes
-///   gibibytes   the limit, as for MemoryLimit
-void CheckMemory(const World& world, std::int64_t picture, double gibibytes);
+/// Before anything is built or rendered, throws UsageError if the current memory of the process, the maximum of an
+/// acceleration structure, and the image with its layers and references together exceed the limit.
+///   image_bytes   its ImageBytes
+///   gibibytes     the limit, as for MemoryLimit
+void CheckMemory(const World& world, std::int64_t image_bytes, double gibibytes);
 
-/// Bytes that the samples, the picture and what is made of it take: an estimate, above what is measured.
-///   saves   checkpoints, while it renders
-std::int64_t PictureBytes(const RenderSettings& render, const FileOptions& files, bool saves);
+/// Returns the bytes of the samples, the image and everything derived from it: an estimate, above the measured values.
+///   saves   whether checkpoints are written during the render
+std::int64_t ImageBytes(const RenderSettings& render, const FileOptions& files, bool saves);
 
 }  // namespace ray

@@ -27,7 +27,7 @@ std::string Painted(const std::string& line, std::size_t begin, std::size_t leng
   return line.substr(0, begin) + color + line.substr(begin, length) + no_color + line.substr(begin + length);
 }
 
-/// Where the caret of a line such as "      | ^~~~ did you mean" is; npos in any other.
+/// Returns the position of the caret in a line such as "      | ^~~~ did you mean"; npos in any other.
 std::size_t CaretIn(const std::string& line) {
   const std::size_t bar = line.find_first_not_of(' ');
   if (bar == std::string::npos || line.compare(bar, 2, "| ") != 0) return std::string::npos;
@@ -72,16 +72,16 @@ std::string ColoredFailure(const std::string& message) {
   return colored == message && name != std::string::npos ? Painted(message, 0, name + 1, red) : colored;
 }
 
-void TellPart(const std::string& text) {
+void PrintErrorPart(const std::string& text) {
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-// One write a line: lines of several processes do not mix.
-void PrintError(const std::string& line) { TellPart((HasColors() ? Colored(line) : line) + "\n"); }
+// One write per line, so that lines of several processes do not mix.
+void PrintError(const std::string& line) { PrintErrorPart((HasColors() ? Colored(line) : line) + "\n"); }
 
-void PrintFailure(const std::string& line) { TellPart((HasColors() ? ColoredFailure(line) : line) + "\n"); }
+void PrintFailure(const std::string& line) { PrintErrorPart((HasColors() ? ColoredFailure(line) : line) + "\n"); }
 
-void TellAll(std::span<const std::string> lines) {
+void PrintLines(std::span<const std::string> lines) {
   for (const std::string& line : lines) PrintError(line);
 }
 

@@ -17,9 +17,9 @@ namespace ray {
 namespace {
 
 constexpr int block_side = Film::block_side;
-constexpr std::uint32_t first_filtered = 2;  // samples per pixel and stream; of fewer, claims are mere guesses
+constexpr std::uint32_t first_filtered = 2;  // samples per pixel and stream; with fewer, claims are mere guesses
 
-/// The target's unit, in which errors are measured.
+/// Returns settings whose errors are measured in the target's unit.
 RenderSettings ForProbing(RenderSettings settings) {
   const Budget asked = settings.budget;
   settings.budget = {};
@@ -32,7 +32,7 @@ RenderSettings ForProbing(RenderSettings settings) {
   return settings;
 }
 
-/// A square of the image, rendered as a crop is.
+/// A square of the image, rendered like a crop.
 struct Square {
   Square(const RenderSettings& of_image, const PixelRectangle& pixels, const SampleSource& source)
       : settings(CroppedTo(pixels, of_image)),
@@ -75,11 +75,11 @@ class Squares {
     measure_.share = static_cast<double>(film_.Region().Area()) / static_cast<double>(RegionOf(settings).Area());
   }
 
-  /// The pixels of all squares, above each other, without those that only a filter sees.
+  /// Returns the pixels of all squares, one above the other, without those that only a filter sees.
   const Film& film() const { return film_; }
   const ErrorMeasure& Measure() const { return measure_; }
 
-  /// Seconds of one processor so far, and of the whole image.
+  /// Returns the seconds of one processor so far. SecondsOfImage scales them to the whole image.
   double SecondsTaken() const { return CpuSeconds() - start_; }
   double SecondsOfImage() const { return seconds_to_prepare_ + times_larger_ * (SecondsTaken() - seconds_to_prepare_); }
 
@@ -121,7 +121,7 @@ class Squares {
     return {all.x1, all.y1, all, FilterKind::box};
   }
 
-  /// Calls visit(column, row, x, y) for each pixel of a square, with its place in the square and in film().
+  /// Calls visit(column, row, x, y) for each pixel of a square, with its positions in the square and in film().
   template <typename Visit>
   void ForEachPixel(std::size_t square, const Visit& visit) const {
     const PixelRectangle& pixels = squares_[square].film.Region();
@@ -136,7 +136,7 @@ class Squares {
     if (is_whole_) return {x, y};
     return {x - pixels.x0, y - pixels.y0 + pixels.Height() * static_cast<int>(square)};
   }
-  /// The block of film() that has, or is nearest to, these pixels of a square's own film.
+  /// Returns the block of film() that contains, or is nearest to, these pixels of a square's own film.
   std::size_t BlockOfFilm(std::size_t square, const PixelRectangle& pixels) const {
     const PixelRectangle& region = squares_[square].film.Region();
     const auto [x, y] = InFilm(square, std::clamp(pixels.x0, region.x0, region.x1 - 1),
@@ -144,7 +144,7 @@ class Squares {
     return static_cast<std::size_t>(film_.BlockOf(x, y));
   }
 
-  /// Copies a square's pixels, as far as they are.
+  /// Copies the existing pixels of a square.
   void TakePixels(std::size_t square) {
     const Film& own = squares_[square].film;
     for (int part = 0; part < Film::parts; ++part) {
@@ -188,7 +188,7 @@ void Finish(const Squares& squares, const MeasuredError& error, Probe& probe) {
 std::vector<PixelRectangle> SquaresToProbe(const PixelRectangle& image, int side, std::size_t most) {
   const auto down = [](int x) { return x / block_side * block_side; };
   const auto up = [&](int x) { return down(x + block_side - 1); };
-  const PixelRectangle blocks{up(image.x0), up(image.y0), down(image.x1), down(image.y1)};  // whole ones
+  const PixelRectangle blocks{up(image.x0), up(image.y0), down(image.x1), down(image.y1)};  // whole blocks
   constexpr double hardly_more = 1.5;
   const int columns = blocks.Width() / side, rows = blocks.Height() / side;
   if (columns < 1 || rows < 1 || columns * rows <= hardly_more * static_cast<double>(most)) return {image};
@@ -229,7 +229,7 @@ Probe ProbeToError(const World& world, const Accelerator& accelerator, const Ren
   Schedule schedule(settings, {film.Columns(), film.AreasInRegion()}, false);
   PassHistory history(settings, film, false, squares.Measure());
   Probe probe;
-  while (schedule.State().end == 0) schedule.Next({});  // the first looks are some of the first samples
+  while (schedule.State().end == 0) schedule.Next({});  // the initial passes are part of the first samples
   bool is_measured = false;
   while (!probe.stop && !(is_measured && squares.SecondsTaken() > seconds)) {
     squares.SampleTo(schedule.State().targets.samples);
@@ -253,8 +253,8 @@ Probe ProbeDenoised(const World& world, const Accelerator& accelerator, const Re
   Squares squares(world, accelerator, settings, rectangles);
   Probe probe;
   double seconds_of_looks = 0;
-  // The interval is that of the squares alone, which is wider: a fixed number of samples has to suffice, since the
-  // render that it is for does not stop by its error.
+  // The interval is that of the squares alone, which is wider: a fixed number of samples must suffice, since the actual
+  // render does not stop by its error.
   ErrorMeasure measure = squares.Measure();
   measure.share = 1;
   const auto blocks = static_cast<std::size_t>(squares.film().Blocks());

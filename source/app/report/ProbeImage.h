@@ -13,7 +13,7 @@
 
 namespace ray {
 
-/// Returns the squares of a probe, spread over an image or its crop: all different, and `most` at most. If the image is
+/// Returns the squares of a probe, spread over an image or its crop: all different, at most `most`. If the image is
 /// hardly larger than its squares, returns all of it.
 ///   side     in pixels, a multiple of a block's
 ///   source   their order: Roberts, The unreasonable effectiveness of quasirandom sequences (2018), R2
@@ -21,12 +21,12 @@ std::vector<PixelRectangle> SquaresToProbe(const PixelRectangle& image, int side
 
 /// The course of a render, predicted from squares of its image.
 struct Probe {
-  std::vector<Pass> passes;  // samples per pixel, errors and seconds of one processor are those of the whole image
-  std::optional<Stop> stop;  // none if the probe ended first
+  std::vector<Pass> passes;  // samples per pixel, errors and seconds of one processor for the whole image
+  std::optional<Stop> stop;  // std::nullopt if the probe ended first
   double light = 0;          // mean of the squares' pixels
   double square = 0;         // of the error of `passes.back()`, of the squares alone
 
-  /// A render that reaches a target.
+  /// The samples and time of a render that reaches a target.
   struct Arrival {
     double samples = 0, seconds = 0;  // as in `passes`; infinite if it does not reach the target
   };
@@ -40,8 +40,8 @@ struct Probe {
 Probe ProbeToError(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                    const std::vector<PixelRectangle>& squares, double seconds);
 
-/// Renders the squares at 4, 8, 16, ... samples per pixel and filters them each time, until the error that is left is
-/// at settings.budget.error. Each pass has the seconds of a render that ends with it.
+/// Renders the squares at 4, 8, 16, ... samples per pixel and filters them each time, until the remaining error is at
+/// settings.budget.error. Each pass has the seconds of a render that ends with it.
 Probe ProbeDenoised(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                     const std::vector<PixelRectangle>& squares, double seconds);
 

@@ -12,7 +12,7 @@ constexpr const char* to_line_start_and_clear = "\r\033[K";
 
 std::string Bold(const std::string& text) { return HasColors() ? "\033[1m" + text + "\033[0m" : text; }
 
-/// What is done after the samples, as shown beside the progress.
+/// Returns the phase after the samples, as shown with the progress.
 const char* WordsOf(RenderPhase phase) { return phase == RenderPhase::guides ? "gathering guides" : "denoising"; }
 
 std::string TwoDigits(std::int64_t n) { return (n < 10 ? "0" : "") + std::to_string(n); }
@@ -25,7 +25,7 @@ ProgressStyle ChooseProgressStyle(bool quiet) {
 }
 
 std::string DurationText(double seconds) {
-  constexpr double longest = 3600.0 * 24 * 365 * 1000;  // and no render will be waited for longer
+  constexpr double longest = 3600.0 * 24 * 365 * 1000;  // nobody waits longer for a render
   if (!(seconds < longest)) return "ages";
   const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
   const std::int64_t hours = whole / 3600, minutes = whole / 60 % 60;
@@ -48,7 +48,7 @@ std::string ProgressText(const RenderProgress& progress, double seconds) {
 Progress::Progress(ProgressStyle style) : style_(style) {}
 
 Progress::~Progress() {
-  if (has_line_) TellPart(to_line_start_and_clear);
+  if (has_line_) PrintErrorPart(to_line_start_and_clear);
 }
 
 bool Progress::IsDue(const RenderProgress& progress) const {
@@ -60,7 +60,7 @@ bool Progress::IsDue(const RenderProgress& progress) const {
     case ProgressStyle::terminal:
       return pause >= 100ms;
     case ProgressStyle::log:
-      return pause >= 5s && progress.done * 10 / progress.total > tenths_told_;
+      return pause >= 5s && progress.done * 10 / progress.total > tenths_shown_;
   }
   return false;
 }
@@ -69,16 +69,16 @@ void Progress::Update(const RenderProgress& progress) {
   if (progress.phase != phase_) {
     phase_ = progress.phase;
     start_ = Clock::now();
-    tenths_told_ = 0;
+    tenths_shown_ = 0;
   }
   if (!IsDue(progress)) return;
   last_ = Clock::now();
-  tenths_told_ = progress.done * 10 / progress.total;
+  tenths_shown_ = progress.done * 10 / progress.total;
   const std::string text = ProgressText(progress, std::chrono::duration<double>(last_ - start_).count());
   if (style_ == ProgressStyle::log) return PrintError(text);
   has_line_ = true;
   constexpr std::size_t percent_letters = 5;
-  TellPart(to_line_start_and_clear + Bold(text.substr(0, percent_letters)) + text.substr(percent_letters));
+  PrintErrorPart(to_line_start_and_clear + Bold(text.substr(0, percent_letters)) + text.substr(percent_letters));
 }
 
 }  // namespace ray

@@ -7,22 +7,23 @@
 
 namespace ray {
 
-/// How to say how far a render is: not at all, on one line that a terminal rewrites, or now and then a line in a log.
+/// The display of progress: none, one line that is rewritten on a terminal, or occasional lines in a log.
 enum class ProgressStyle { none, terminal, log };
 
-/// What standard error is good for.
+/// Returns the style that suits standard error.
 ProgressStyle ChooseProgressStyle(bool quiet);
 
-/// " 42%  0:12 left  14.2 Mrays/s", `seconds` after the phase began; but for samples " 42%  0:12 left  denoising".
+/// Returns " 42%  0:12 left  14.2 Mrays/s", `seconds` after the phase began; after the samples " 42%  0:12 left
+/// denoising".
 std::string ProgressText(const RenderProgress& progress, double seconds);
-/// "0:07", "1:02:03"
+/// Returns "0:07" or "1:02:03".
 std::string DurationText(double seconds);
 
-/// Says on standard error how far a render is. Whether anybody listens does not matter to it.
+/// Reports the progress of a render on standard error. Write errors are ignored.
 class Progress {
  public:
   explicit Progress(ProgressStyle style);
-  ~Progress();  // takes the terminal's line away
+  ~Progress();  // removes the terminal's line
 
   void Update(const RenderProgress& progress);
 
@@ -32,7 +33,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   ProgressStyle style_;
   Clock::time_point start_ = Clock::now(), last_ = start_;
-  std::int64_t tenths_told_ = 0;
+  std::int64_t tenths_shown_ = 0;
   RenderPhase phase_ = RenderPhase::samples;
   bool has_line_ = false;
 };

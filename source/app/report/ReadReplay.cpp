@@ -18,13 +18,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint32_t most_samples = 0x7fffffff;  // what -samples takes
+constexpr std::uint32_t most_samples = 0x7fffffff;  // the maximum of -samples
 
 SceneErrors Refusal(const std::string& file, const std::string& why) {
   return SceneErrors({ErrorIn(file, "cannot be replayed: " + why)});
 }
 
-/// The library walks through what it has read by recursion, so a report may nest no deeper than a scene in JSON.
+/// Reads a report. The library traverses the result recursively, so a report may nest no deeper than a scene in JSON.
 Json ReadReport(const std::string& file) {
   return Json::parse(Contents(file), [&](int depth, Json::parse_event_t event, const Json&) {
     const bool opens = event == Json::parse_event_t::array_start || event == Json::parse_event_t::object_start;
@@ -34,13 +34,14 @@ Json ReadReport(const std::string& file) {
   });
 }
 
-/// A value for a message: file names may be any bytes, and a stranger's value of any length.
+/// Returns a value for a message: file names may be any bytes, and an untrusted value may have any length.
 std::string Shown(const Json& value) {
   const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   return text.size() <= most_quoted ? Escaped(text) : Quoted(text);
 }
 
-/// The report says how many samples are taken; a user who asks for another number besides is mistaken.
+/// Returns true if the option must equal the report's value. The report determines the number of samples; a user who
+/// also requests another number is mistaken.
 bool MustAgree(const OptionKind& option, const RenderOptions& options) {
   return option.facts.Has(Fact::image) || (option.name == std::string("samples") && options.IsGiven("samples"));
 }
@@ -59,7 +60,7 @@ void RequireSameSettings(const Json& settings, const RunStats& run) {
 
 bool IsDenoised(const Json& report) { return report.at("error").contains("denoised_by"); }
 
-/// Another version of a library may make other bits.
+/// Requires the same version of the library, since another may produce other bits.
 void RequireSameDenoiser(const Json& report, Denoiser denoiser) {
   if (!IsDenoised(report) || denoiser == Denoiser::regression) return;
   const Json& then = report.at("error").at("denoised_by");
@@ -67,7 +68,7 @@ void RequireSameDenoiser(const Json& report, Denoiser denoiser) {
   if (then != now) throw UsageError("the report was made with " + Shown(then) + ", not " + Quoted(now));
 }
 
-/// A whole number that a report may have, from 0 to `most`.
+/// Returns a count in a report, from 0 to `most`.
 std::uint32_t Count(const Json& number, std::uint32_t most, const char* of_what, const std::string& file) {
   if (!number.is_number_unsigned() || number > most)
     throw Refusal(file, Shown(number) + " is not a number of " + of_what);

@@ -7,9 +7,9 @@
 
 namespace ray {
 
-/// How the render that wrote the report shared its samples out; nothing without -replay. Throws SceneErrors when the
-/// file is no report of ours, UsageError when it tells of another picture than the one of this run: the scene, or an
-/// option that chooses what the picture shows, differs.
+/// Returns the sample allocation of the render that wrote the report; std::nullopt without -replay. Throws SceneErrors
+/// if the file is not a report of ours, UsageError if it belongs to another image than that of this run: the scene, or
+/// an option that affects the content of the image, differs.
 std::optional<Replay> ReadReplay(const RunStats& run);
 
 }  // namespace ray

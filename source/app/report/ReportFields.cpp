@@ -16,19 +16,19 @@ std::span<const ReportField> ReportFields() {
        " (all but cut); guides (rays of -denoise, which total includes); refining (most, and samples per "
        "pixel, of the guides' own camera rays; null without a time limit); costs (the counts of each kind)"},
       {"counts", "node_visits, box_tests, primitive_tests, hits, cache_tests, cache_hits, bad_rays"},
-      {"accelerator", "the structure that was built; settings.accel says which was asked for"},
+      {"accelerator", "the structure that was built; settings.accel is the requested one"},
       {"structure_bytes", "memory of the structure, besides the scene"},
       {"seconds",
        "load, build, render, denoise (a part of render), guides (a part of denoise), write, wall (from the "
        "start of the program to the report), cpu (of all threads)"},
-      {"peak_memory_bytes", "the most memory that the process ever held"},
+      {"peak_memory_bytes", "the maximum memory of the process"},
       {"threads", "number of threads that rendered"},
       {"pixels", "done, total"},
       {"warnings", "lines printed to standard error"},
       {"stop",
        "reason (\"samples\", \"time\", \"error\", \"stall\", or a signal such as \"SIGINT\"), confidence, and "
-       "seconds and error (target, unit) asked for, or null"},
-      {"features_required", "what the scene and the settings ask for, in words"},
+       "the requested seconds and error (target, unit), or null"},
+      {"features_required", "names of the features that scene and settings require"},
       {"kernel", "the innermost loops that ran"},
       {"quality", "the preset, or \"custom\""},
       {"biased", "settings in force that change the expected image"},
@@ -36,8 +36,8 @@ std::span<const ReportField> ReportFields() {
       {"samples",
        "least, most and mean per pixel; two_streams; planned_samples (what strata and camera rays are laid "
        "out for); of_blocks (per pixel and stream, of each block of 8x8 pixels in rows from the bottom; "
-       "empty where all are alike); places_of_blocks (of blocks without samples, how many of their 64 places"
-       " were looked at; empty where all have samples)"},
+       "empty if all are equal); places_of_blocks (of blocks without samples, how many of their 64 places"
+       " were traced; empty if all have samples)"},
       {"error",
        "estimate, low, high, unit; method (\"two streams\": unbiased; \"two streams, denoised\"; \"halves\":"
        " an upper bound); worst_block (error, at); freedom (degrees of freedom); outlier_share; unseen_share"

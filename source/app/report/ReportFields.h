@@ -10,7 +10,7 @@ struct ReportField {
   const char* meaning;
 };
 
-/// All keys at the top of a report, in order. The manual page and docs/options.md are made from them.
+/// Returns all top-level keys of a report, in order. The manual page and docs/options.md are made from them.
 std::span<const ReportField> ReportFields();
 
 }  // namespace ray

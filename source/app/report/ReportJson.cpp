@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The value of an option, as JSON.
+/// A function object that returns the value of an option as JSON.
 struct ValueIn {
   const RenderOptions& options;
 
@@ -110,7 +110,7 @@ Json StopJson(const RunStats& stats) {
   return json;
 }
 
-/// What -replay needs: how many samples each block took, or the one number of all.
+/// Returns the data for -replay: the number of samples of each block, or one number for all.
 Json SamplesJson(const RunStats& stats) {
   Json json = {{"least", stats.samples.least},
                {"most", stats.samples.most},

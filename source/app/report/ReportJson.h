@@ -7,10 +7,10 @@
 
 namespace ray {
 
-/// What -report writes: one JSON object with the keys of ReportFields.
+/// Returns the text of -report: one JSON object with the keys of ReportFields.
 std::string ReportJson(const RunStats& stats);
 
-/// The part of it called settings.
+/// Returns its part `settings`.
 nlohmann::ordered_json SettingsJson(const RunStats& stats);
 
 }  // namespace ray

@@ -20,8 +20,8 @@ double Seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// The peak that Linux gives in /proc, 0 elsewhere. The one of getrusage also counts the process that started this one,
-/// from before it became this program.
+/// Returns Linux's peak memory from /proc, 0 on other systems. The peak of getrusage also counts the process that
+/// started this one, before it became this program.
 std::int64_t PeakOfProcFile() {
   std::ifstream status("/proc/self/status");
   std::int64_t kibibytes = 0;

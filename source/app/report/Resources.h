@@ -6,15 +6,15 @@
 
 namespace ray {
 
-/// Processor time of all threads of this process so far, in seconds.
+/// Returns the processor time of all threads of this process so far, in seconds.
 double CpuSeconds();
-/// The most memory this process ever held, in bytes.
+/// Returns the peak memory of this process, in bytes.
 std::int64_t PeakMemory();
 
-/// Memory of this machine, in bytes; the largest number where the system does not say.
+/// Returns the memory of this machine, in bytes; the largest number if the system does not report it.
 std::int64_t MachineMemory();
 
-/// Wall time since it was made, and since it was last asked.
+/// Measures wall time since construction, and since the last query.
 class Stopwatch {
  public:
   double Lap() { return Seconds(std::exchange(lap_, Clock::now())); }

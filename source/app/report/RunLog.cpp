@@ -8,8 +8,8 @@
 #include "source/app/files/OutputFile.h"
 #include "source/app/files/SceneHash.h"
 #include "source/app/options/BudgetWords.h"
+#include "source/app/options/ImageName.h"
 #include "source/app/options/OptionTable.h"
-#include "source/app/options/PictureName.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/BlackImage.h"
 #include "source/app/report/Check.h"
@@ -23,8 +23,8 @@
 namespace ray {
 namespace {
 
-/// "-focus has no effect without -aperture": options that were typed and that this image, or this acceleration
-/// structure, makes no use of.
+/// Returns "-focus has no effect without -aperture" and so on: options that were typed but that this image, or this
+/// acceleration structure, does not use.
 std::vector<std::string> OptionsWithoutEffect(const RenderOptions& options) {
   std::vector<std::string> lines;
   for (const OptionKind& option : OptionTable(*options.program))
@@ -38,13 +38,13 @@ std::vector<std::string> OptionsWithoutEffect(const RenderOptions& options) {
   return lines;
 }
 
-/// "8192x8192", of the crop where there is one.
+/// Returns "8192x8192", the size of the crop if there is one.
 std::string PixelsAcross(const RenderSettings& render) {
   const PixelRectangle part = render.crop.value_or(PixelRectangle{0, 0, render.width, render.height});
   return std::to_string(part.Width()) + "x" + std::to_string(part.Height());
 }
 
-/// What -crop changes, and what is rendered for its sake.
+/// Returns a line about the effects of -crop, and the extra pixels rendered for it.
 std::string CropLine(const RenderSettings& render) {
   const std::vector<std::string> differences = CropDifferences(render);
   std::string line = "the crop: the same pixels, bit for bit, as in the whole image";
@@ -80,8 +80,8 @@ std::vector<std::string> ExplainRender(const World& world, const RunStats& stats
   return lines;
 }
 
-/// Says how many parts the image may be cut into, on machines like this one, before reading and building the scene
-/// again for each costs too much.
+/// Returns the number of parts into which the image may be divided, on machines like this one, before reading and
+/// building the scene again for each becomes too expensive.
 std::string ExplainParts(const RunStats& stats) {
   constexpr double most_overhead = 0.05;
   const double again = stats.seconds.load + stats.seconds.build;
@@ -99,7 +99,7 @@ RunLog::RunLog(std::span<const std::string> words) { stats_.command = CommandAsT
 void RunLog::Loaded(const ParsedScene& parsed, RenderOptions all) {
   stats_.options = std::move(all);
   const RenderOptions& options = stats_.options;
-  stats_.picture = options.files.picture;
+  stats_.image_file = options.files.image;
   stats_.threads = ThreadsOf(options.render);
   stats_.scene.settings = SettingsInForce(parsed.scene, options);
   stats_.seconds.load = watch_.Lap();
@@ -164,7 +164,7 @@ void RunLog::Rendered(const RenderResult& result) {
   if (stats_.options.explain && result.IsComplete()) PrintError("raypro: " + ExplainParts(stats_));
   if (!result.IsComplete()) stats_.stopped_by = StopSignalName();
   const RenderSettings& render = stats_.options.render;
-  constexpr std::int64_t fewest = 1000;  // of whose pixels 0.1 % is one
+  constexpr std::int64_t fewest = 1000;  // for which 0.1 % is one pixel
   if (result.has_outliers && result.pixels_total >= fewest)
     Warn(
         "raypro: warning: 0.1% of the pixels hold more than half of the squared error; where light is found so "
@@ -196,9 +196,9 @@ void RunLog::ExplainIfBlack(const World& world, const Accelerator& accelerator, 
     Hint("raypro: warning: the image is black; " + WhyBlack(world, accelerator, render));
 }
 
-void RunLog::Written(const std::string& picture) {
-  stats_.picture = picture;
-  const bool has_file = stats_.options.files.picture != standard_stream;
+void RunLog::Written(const std::string& image_file) {
+  stats_.image_file = image_file;
+  const bool has_file = stats_.options.files.image != standard_stream;
   stats_.seconds.write = watch_.Lap();
   stats_.seconds.wall = watch_.Total();
   if (shared_before_) stats_.seconds.shared = *shared_before_ + stats_.seconds.wall;
@@ -207,18 +207,18 @@ void RunLog::Written(const std::string& picture) {
   PrintStep("wrote the image", stats_.seconds.write);
   if (stats_.pixels_done == 0)
     PrintError("raypro: stopped before the first pixel; there is no image to save");
-  else if (!stats_.IsComplete() && has_file && picture != stats_.options.files.picture)
-    PrintError("raypro: " + QuotedPath(stats_.options.files.picture) + " is left as it was; the image so far is " +
-               QuotedPath(picture));
+  else if (!stats_.IsComplete() && has_file && image_file != stats_.options.files.image)
+    PrintError("raypro: " + QuotedPath(stats_.options.files.image) + " is unchanged; the image so far is " +
+               QuotedPath(image_file));
   if (!stats_.IsComplete() && !stats_.options.files.layers.empty())
     PrintError("raypro: -layers are rendered once the image is complete; none are written");
   if (!stats_.IsComplete() && has_file) PrintError("raypro: progress saved; -resume continues from it");
 }
 
-// The picture is safe by now, so the run fails only where what was asked for could not be told.
+// The image is safe by now, so the run fails only if requested information could not be printed.
 void RunLog::Summarize() const {
-  // Where the picture takes standard output, words go to standard error.
-  const auto write = stats_.options.files.picture == standard_stream ? TellPart : WriteStandardOutput;
+  // If the image goes to standard output, text goes to standard error.
+  const auto write = stats_.options.files.image == standard_stream ? PrintErrorPart : WriteStandardOutput;
   if (stats_.options.stats) write(Statistics(stats_));
   try {
     if (!stats_.options.quiet && stats_.pixels_done > 0) write(FinalLine(stats_) + QualityLines(stats_));

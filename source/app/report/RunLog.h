@@ -8,29 +8,29 @@
 
 namespace ray {
 
-/// Collects what happens in a run, and says on standard error what its user should know at once: warnings
-/// always, steps with -verbose.
+/// The log of a run, which prints to standard error what its user should know at once: warnings always, steps with
+/// -verbose.
 class RunLog {
  public:
-  /// `words`: the command line, as typed.
+  /// Starts the log; `words` is the command line as typed.
   explicit RunLog(std::span<const std::string> words);
 
-  /// `all`: the options, with the scene's own settings.
+  /// Called after reading; `all` contains the options with the scene's own settings.
   void Loaded(const ParsedScene& parsed, RenderOptions all);
   void Built(const World& world, const Accelerator& accelerator);
-  /// Before the first sample of a render with a time limit: what its image takes without any, by the budget that the
-  /// render has.
+  /// Called before the first sample of a render with a time limit: warns if the fixed costs of the image in its budget
+  /// exceed the limit.
   void WillFinishIn(const Budget& budget);
-  /// With a time limit that machines share: since when, in seconds.
+  /// Sets the start of a time limit that machines share, in seconds before now.
   void BeganTogether(double seconds_ago) { shared_before_ = seconds_ago - SecondsSoFar(); }
   void Rendered(const RenderResult& result);
-  /// With what -reference names, in the unit of the estimated error.
+  /// Sets the error against the images of -reference, in the unit of the estimated error.
   void Compared(double true_error);
-  /// `picture`: where it went.
-  void Written(const std::string& picture);
-  /// Hints at the reason if the image is black. That takes some rays, so the image is written before.
+  /// Called after writing; `image_file` is the file that was written.
+  void Written(const std::string& image_file);
+  /// Explains why the image is black, if it is. That takes some rays, so the image is written before.
   void ExplainIfBlack(const World& world, const Accelerator& accelerator, const R2::Image& image);
-  /// The results, on standard output, unless -quiet. Throws OutputError when statistics that were asked for cannot be
+  /// Prints the results on standard output, unless -quiet. Throws OutputError if requested statistics cannot be
   /// written.
   void Summarize() const;
 
@@ -39,7 +39,7 @@ class RunLog {
 
  private:
   void Warn(const std::string& line);
-  /// A warning that -quiet silences.
+  /// Prints a warning that -quiet silences.
   void Hint(const std::string& line);
   void PrintStep(const std::string& step, double seconds) const;
 

@@ -28,14 +28,15 @@ std::string PixelsText(const RunStats& stats) {
   return ShortCountText(stats.samples.mean) + wanted + " samples per pixel done";
 }
 
-/// Per pixel: as asked for, where that decided; as they became, where a clock, an error or a signal did.
+/// Returns the samples per pixel: the requested number, or the actual one if a clock, an error or a signal ended the
+/// render.
 double SamplesOf(const RunStats& stats) {
   const RenderSettings& render = stats.options.render;
   const bool is_asked_for = !render.budget.IsOpen() && !render.denoise && stats.options.files.replay.empty();
   return is_asked_for && stats.IsComplete() && !IsSubsampled(render) ? render.samples : stats.samples.mean;
 }
 
-/// "16 spp", "1 spp at 3.1% of the pixels, the others interpolated,"
+/// Returns "16 spp" or "1 spp at 3.1% of the pixels, the others interpolated,".
 std::string SppText(const RunStats& stats) {
   const double samples = SamplesOf(stats);
   if (samples < 1) return "1 spp at " + Fixed(100 * samples, 1) + "% of the pixels, the others interpolated,";
@@ -49,7 +50,7 @@ double MegaraysPerSecond(const RunStats& stats) {
 
 std::string Seconds(double seconds) { return Fixed(seconds, 3) + " s"; }
 
-/// A row of the table under "tests per ray".
+/// Returns a row of the table "tests per ray".
 std::string CostPerRay(const RayCounts::Kind& kind) {
   std::string row;
   const auto column = [&](std::uint64_t number, std::size_t width) {
@@ -63,7 +64,7 @@ std::string CostPerRay(const RayCounts::Kind& kind) {
   return row;
 }
 
-/// " (too dark by about 2%)" where settings cut off light.
+/// Returns " (too dark by about 2%)" if settings cut off light.
 std::string DarknessText(const RunStats& stats) {
   return stats.share_cut > 0 ? " (too dark by about " + Rounded(100 * stats.share_cut, 2) + "%)" : "";
 }
@@ -72,7 +73,7 @@ bool CutsLight(const std::string& setting) {
   return setting.starts_with("max_depth") || setting.starts_with("min_luminance");
 }
 
-/// "-max_depth 3, -sampler grid", of the settings that cut light off or of the others.
+/// Returns "-max_depth 3, -sampler grid", of the settings that cut light off or of the others.
 std::string BiasText(const RunStats& stats, bool cuts_light) {
   std::string list;
   for (const std::string& setting : stats.biased) {
@@ -82,16 +83,16 @@ std::string BiasText(const RunStats& stats, bool cuts_light) {
   return list;
 }
 
-/// "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2%), biased by -adaptive tile"; nothing for no
-/// limits.
+/// Returns "; limited by -max_depth 3, -min_luminance 0.01 (too dark by about 2%), biased by -adaptive tile"; empty if
+/// there are no limits.
 std::string LimitsText(const RunStats& stats) {
   const std::string cut = stats.share_cut > 0 ? BiasText(stats, true) : "", moved = BiasText(stats, false);
   return (cut.empty() ? "" : "; limited by " + cut + DarknessText(stats)) +
          (moved.empty() ? "" : (cut.empty() ? "; biased by " : ", biased by ") + moved);
 }
 
-/// ", nu 12: few pixels hold the error, and the truth itself varies by 41%", two deviations of a root of a mean square
-/// of so many values; nothing where they are many.
+/// Returns ", nu 12: few pixels hold the error, and the truth itself varies by 41%", two standard deviations of the
+/// root of a mean square of that many values; empty if there are many.
 std::string FreedomText(const ErrorEstimate& error) {
   constexpr double many = 270;  // from there on nine of ten claims are within 10% of the truth
   if (!(error.freedom < many)) return {};
@@ -99,12 +100,12 @@ std::string FreedomText(const ErrorEstimate& error) {
          Fixed(100 * std::min(1.0, 2 / std::sqrt(2 * error.freedom)), 0) + "%";
 }
 
-/// Another version of a library may make another picture.
+/// Returns true if a library denoised the image, since other versions may produce other images.
 bool IsDenoisedByLibrary(const RunStats& stats) {
   return !stats.denoised_by.empty() && stats.options.render.denoiser != Denoiser::regression;
 }
 
-/// " by Open Image Denoise 2.5.1"; nothing for our own filter.
+/// Returns " by Open Image Denoise 2.5.1"; empty for our own filter.
 std::string DenoiserText(const RunStats& stats) { return IsDenoisedByLibrary(stats) ? " by " + stats.denoised_by : ""; }
 
 std::string StopText(const RunStats& stats) {
@@ -113,12 +114,12 @@ std::string StopText(const RunStats& stats) {
          (stats.seconds.shared > 0 ? " after " + Fixed(stats.seconds.shared, 2) + " s" : "");
 }
 
-/// What an error that was asked for and not reached would take.
+/// Returns the predicted samples for a requested error that was not reached.
 std::string ForecastText(const RunStats& stats) {
   const auto& target = stats.options.render.budget.error;
   const auto forecast = target ? ForecastOf(stats.passes, *target) : std::nullopt;
   if (!forecast || !(forecast->samples > stats.samples.mean)) return {};
-  constexpr double most = 1e9;  // that a render takes
+  constexpr double most = 1e9;  // samples that a render takes
   return (forecast->samples < most ? ", about " + Rounded(forecast->samples, 2) : ", more than 1e9") + " for " +
          ErrorText(target->value, target->unit);
 }
@@ -149,7 +150,7 @@ std::string ErrorLines(const RunStats& stats, const Line& line) {
   return text;
 }
 
-/// "rays saved: 153600 of 360000 camera rays, where neighboring pixels are alike"
+/// Returns "rays saved: 153600 of 360000 camera rays, where neighboring pixels are alike".
 std::string SavedText(const RunStats& stats) {
   const double pixels = static_cast<double>(stats.pixels_total);
   const double all = pixels * stats.planned_samples, saved = all - pixels * stats.samples.mean;
@@ -175,13 +176,13 @@ std::string CommandAsTyped(std::span<const std::string> words) {
   return words.empty() ? "raypro" : "raypro " + ShellLine(words);
 }
 
-R2::ImageSettings SettingsInPicture(const RunStats& stats) {
+R2::ImageSettings SettingsInImage(const RunStats& stats) {
   R2::ImageSettings settings{
       {"program", "raypro " RAYPRO_VERSION},
       {"command", stats.options.as_course ? stats.command : RayproCommand(stats.options)},
       {"scene_hash", stats.scene.hash},
       {"seed", std::to_string(stats.options.render.seed)},
-      {"samples", CountText(SamplesOf(stats))},  // a weight for what merges pictures
+      {"samples", CountText(SamplesOf(stats))},  // a weight for programs that merge images
       {"accel", stats.options.accelerator.name},
       {"pixels", PixelsText(stats)},
   };
@@ -199,7 +200,7 @@ R2::ImageSettings SettingsInPicture(const RunStats& stats) {
 std::string LimitsOfLight(const RunStats& stats) { return BiasText(stats, true); }
 
 std::string FinalLine(const RunStats& stats) {
-  return Escaped(stats.picture) + " " + std::to_string(stats.width) + "x" + std::to_string(stats.height) + " " +
+  return Escaped(stats.image_file) + " " + std::to_string(stats.width) + "x" + std::to_string(stats.height) + " " +
          SppText(stats) + " " + Fixed(stats.seconds.wall, 2) + " s " + Fixed(MegaraysPerSecond(stats), 1) + " Mrays/s" +
          (stats.IsComplete() ? "" : " (stopped by " + stats.stopped_by + ", " + PixelsText(stats) + ")") + "\n";
 }

@@ -26,7 +26,7 @@ std::string WithDecimals(int decimals, const Triple& t) {
   return Fixed(t.x, decimals) + " " + Fixed(t.y, decimals) + " " + Fixed(t.z, decimals);
 }
 
-/// Decimals of positions: three, and more in a scene that is smaller than one unit.
+/// Returns the decimals of positions: three, and more in a scene smaller than one unit.
 int DecimalsFor(const R3::Box& box) {
   constexpr int usual = 3, most = 20;
   int decimals = usual;
@@ -40,7 +40,7 @@ std::string BoundsText(const R3::Box& box) {
   return box.IsEmpty() ? "empty" : WithDecimals(decimals, box.low) + "  to  " + WithDecimals(decimals, box.high);
 }
 
-/// The lights that the scene names, or what shines in their place.
+/// Returns the scene's lights, or the default lights.
 std::string LightLines(const World& world, RenderMode mode) {
   const Scene& scene = world.scene();
   if (scene.has_default_lights && mode == RenderMode::path && LightsOfPath(world).empty())
@@ -55,7 +55,7 @@ std::string LightLines(const World& world, RenderMode mode) {
   return text;
 }
 
-/// Meshes and textures may be used many times; each is there once.
+/// The meshes and textures, each counted once however often it is used.
 struct Shared {
   std::set<const R3::Mesh*> meshes;
   std::set<const Texture*> textures;
@@ -82,7 +82,7 @@ std::size_t Triangles(const Shared& shared) {
   return triangles;
 }
 
-/// The scene, its flattened form and the picture; what an accelerator adds depends on which.
+/// Returns the memory of the scene, its flattened form and the image; that of an accelerator depends on its kind.
 std::size_t Memory(const World& world, const Shared& shared, const RenderSettings& settings) {
   std::size_t bytes = world.Nodes().size() * (sizeof(Node) + sizeof(FlatNode)) +
                       world.Instances().size() * sizeof(Instance) + world.Frames().size() * sizeof(R3::Transform) +
@@ -92,7 +92,7 @@ std::size_t Memory(const World& world, const Shared& shared, const RenderSetting
   return bytes;
 }
 
-/// ", projection fisheye of 180.0 degrees"; nothing of a pinhole.
+/// Returns ", projection fisheye of 180.0 degrees"; empty for a pinhole.
 std::string ProjectionText(const Camera& camera) {
   if (camera.IsPinhole()) return {};
   const std::string name = std::string(", projection ") + camera.kind->name;

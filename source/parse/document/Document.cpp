@@ -5,7 +5,7 @@
 namespace ray {
 namespace {
 
-/// The last entry that is written at `offset` or before it; aliases are written elsewhere.
+/// Returns the last entry that is written at `offset` or before it; the values of aliases are written elsewhere.
 const Entry* EntryAround(const Value& value, std::size_t offset, std::size_t& index) {
   const Entry* found = nullptr;
   const auto& entries = value.Entries();

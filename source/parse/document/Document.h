@@ -11,19 +11,19 @@ namespace ray {
 
 struct Collection;
 
-/// A value of a YAML or JSON document, with its place. Copies share what they hold.
+/// A value of a YAML or JSON document, with its position. Copies share their contents.
 struct Value {
   enum class Kind { null, scalar, sequence, mapping };
 
   Kind kind = Kind::null;
   bool is_quoted = false;     // a scalar that can only be text
-  bool may_be_number = true;  // not in JSON's quotation marks; in those of YAML students write numbers
-  bool is_alias = false;      // stands here by a YAML alias; its place is that of the anchor
-  Extent extent;              // of a collection, the beginning only
+  bool may_be_number = true;  // false for text in JSON's quotation marks; in YAML students quote numbers
+  bool is_alias = false;      // inserted by a YAML alias; its position is that of the anchor
+  Extent extent;              // of a collection, only the beginning
   std::string scalar;         // numbers as they are written
   std::shared_ptr<const Collection> collection;
 
-  /// The entries of a collection, none of anything else.
+  /// Returns the entries of a collection; empty for other values.
   const std::vector<struct Entry>& Entries() const;
 };
 
@@ -36,22 +36,22 @@ struct Entry {
 
 struct Collection {
   std::vector<Entry> entries;
-  std::size_t values = 1;  // in it and below it, and itself, each alias counted with all that it stands for
-  int height = 1;          // levels of collections, itself included
+  std::size_t values = 1;  // number of values in it and below it, including itself and the full contents of aliases
+  int height = 1;          // levels of collections, including itself
 };
 
-/// "a mapping", "a list", "a single value", "nothing": for messages.
+/// Returns "a mapping", "a list", "a single value" or "nothing", for messages.
 const char* NameOf(Value::Kind kind);
 
 /// A YAML or JSON file as a tree of values.
 class Document {
  public:
-  /// How deep collections may nest, and how many values there may be in all, aliases counted with all that they stand
-  /// for: about 2 GB of them.
+  /// The maximum nesting depth of collections, and the maximum number of values, including the full contents of
+  /// aliases: about 2 GB.
   static constexpr int max_depth = 100;
   static constexpr std::size_t max_values = std::size_t{1} << 24;
 
-  /// `places` must be of `text`.
+  /// Makes a document; `places` must be of `text`.
   Document(const Text& text, const TextPlaces& places, Value root)
       : text_(text), places_(places), root_(std::move(root)) {}
 
@@ -59,7 +59,7 @@ class Document {
   const Value& Root() const { return root_; }
   Token At(const Extent& extent) const { return places_.At(extent); }
 
-  /// "Objects[2].material.kd"; empty for the root. Searched for, since only mistakes need it.
+  /// Returns "Objects[2].material.kd"; empty for the root. Computed by a search, since only mistakes need it.
   std::string PathOf(const Value& value) const;
 
  private:
@@ -68,11 +68,11 @@ class Document {
   Value root_;
 };
 
-/// These read a text that must outlive the result, as must `places`, which are its own. A byte order mark and any ends
-/// of lines are taken. Keys given twice go to the report; all else that is wrong is thrown as SceneError: bad syntax,
-/// control characters, nesting or values beyond the limits above (before they take memory or stack); of YAML also tags,
-/// files of more than 32 MiB, keys that are no words, and aliases within their own anchor. A second YAML document is
-/// ignored with a warning.
+/// Reads a YAML document. ReadJson reads JSON. `text` and `places`, which must be its own, must outlive the result. A
+/// byte order mark and any line ends are accepted. Duplicate keys go to the report; all other mistakes are thrown as
+/// SceneError: bad syntax, control characters, nesting or values beyond the limits above (before they take memory or
+/// stack); for YAML also tags, files of more than 32 MiB, keys that are not words, and aliases within their own anchor.
+/// A second YAML document is ignored with a warning.
 Document ReadYaml(const Text& text, const TextPlaces& places, Report& report);
 Document ReadJson(const Text& text, const TextPlaces& places, Report& report);
 

@@ -10,7 +10,7 @@ namespace ray {
 void DocumentBuilder::Begin(Value::Kind kind, const Extent& extent) {
   if (ExpectsKey()) {
     const char first = extent.offset < text_.bytes.size() ? text_.bytes[extent.offset] : '\0';
-    const bool is_bracket = first == '[' || first == '{';  // yaml-cpp takes for a key what is open at the end
+    const bool is_bracket = first == '[' || first == '{';  // yaml-cpp treats an unclosed bracket as a key
     Fail(extent, "a key must be a word, not " + std::string(NameOf(kind)), is_bracket ? "is this bracket closed?" : "");
   }
   CheckDepth(open_.size() + 1, extent);
@@ -81,7 +81,7 @@ const Value& DocumentBuilder::Place(Value value) {
 }
 
 void DocumentBuilder::Count(std::size_t values, const Extent& extent) {
-  values_ += values;  // no overflow: what an alias adds was itself counted within the limit
+  values_ += values;  // no overflow: the contents of an alias were counted within the limit before
   if (values_ > Document::max_values)
     Fail(extent, "more than " + std::to_string(Document::max_values) + " values", "aliases count as what they repeat");
 }
@@ -111,10 +111,10 @@ void DocumentBuilder::DropRepeated(Collection& mapping) {
   std::erase_if(mapping.entries, [&](const Entry&) { return is_dropped[i++]; });
 }
 
-// YAML's merge key: https://yaml.org/type/merge.html. What the mapping says itself counts, then the first of a list.
+// YAML's merge key: https://yaml.org/type/merge.html. The mapping's own keys take precedence, then the first of a list.
 void DocumentBuilder::Merge(Collection& mapping) {
   const auto merge = std::ranges::find(mapping.entries, "<<", &Entry::key);
-  if (merge == mapping.entries.end() || repeated_ == Repeated::last_counts) return;  // a word like others in JSON
+  if (merge == mapping.entries.end() || repeated_ == Repeated::last_counts) return;  // an ordinary key in JSON
   const Value from = std::move(merge->value);
   mapping.entries.erase(merge);
   const std::vector<Entry> one{{{}, {}, from}};

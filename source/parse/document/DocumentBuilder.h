@@ -8,11 +8,11 @@
 
 namespace ray {
 
-/// Makes the tree of a document from the events of a parser, and keeps it within the limits of Document. Open
+/// A builder that makes the tree of a document from the events of a parser, within the limits of Document. Open
 /// collections are on a stack, so that nothing recurses. In a mapping every other value is a key.
 class DocumentBuilder {
  public:
-  /// Which of several entries of one key counts, as in the courses' parsers: yaml-cpp finds the first, those of JSON
+  /// The entry that counts among duplicate keys, as in the courses' parsers: yaml-cpp finds the first, those of JSON
   /// keep the last.
   enum class Repeated { first_counts, last_counts };
 
@@ -20,19 +20,20 @@ class DocumentBuilder {
       : text_(text), places_(places), report_(report), repeated_(repeated) {}
 
   void Begin(Value::Kind kind, const Extent& extent);
-  /// These give the value where it now is, valid until the next event; of a key, nothing useful.
+  /// Ends the open collection. This and Add return the value at its new position, valid until the next event; for a
+  /// key, the result is meaningless.
   const Value& End();
   const Value& Add(Value value);
-  /// A copy of what an anchor names.
+  /// Adds a copy of the value of an anchor.
   void AddAlias(Value value, const Extent& extent);
 
   bool ExpectsKey() const { return !open_.empty() && open_.back().expects_key; }
   bool IsInSequence() const { return !open_.empty() && open_.back().value.kind == Value::Kind::sequence; }
-  /// Where an absent value is said to be: at its key, or else at the beginning of the collection.
+  /// Returns the position to report for an absent value: its key, or else the beginning of the collection.
   Extent LastKey() const;
-  /// The beginning of the collection that is open, if any is.
+  /// Returns the beginning of the innermost open collection, if there is one.
   std::optional<Extent> Innermost() const;
-  /// To be called once every collection is closed.
+  /// Returns the root; to be called after every collection was closed.
   Value TakeRoot() { return std::move(root_); }
 
   [[noreturn]] void Fail(const Extent& extent, const std::string& message, const std::string& hint = {}) const;
@@ -59,9 +60,9 @@ class DocumentBuilder {
   std::size_t values_ = 0;
 };
 
-/// Throws SceneError for what no text holds: NUL and other control characters, and files of UTF-16.
+/// Throws SceneError for characters that are not text: NUL and other control characters, and files in UTF-16.
 void CheckCharacters(const Text& text, const TextPlaces& places);
-/// How many bytes of a byte order mark the text begins with.
+/// Returns the length in bytes of the byte order mark at the start of the text.
 std::size_t ByteOrderMark(const Text& text);
 
 }  // namespace ray

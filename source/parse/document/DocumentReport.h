@@ -9,29 +9,29 @@
 
 namespace ray {
 
-/// Tells of mistakes in a document where they stand.
+/// Reports mistakes in a document at their positions.
 class DocumentReport {
  public:
   DocumentReport(const Document& document, Report& report) : document_(document), report_(report) {}
 
-  /// "Objects[2].radius must be a number": the path of the value, then `what`, behind a blank or, where it begins with
-  /// one, a colon.
+  /// Reports "Objects[2].radius must be a number": the path of the value, then `what`, separated by a blank, or by a
+  /// colon if `what` begins with a blank.
   void Error(const Value& value, const std::string& what, const std::string& hint = {});
-  /// A mistake where the path says nothing, as at a key.
+  /// Reports a mistake where the path is not informative, as at a key.
   void ErrorAtKey(const Entry& entry, const std::string& message, const std::string& hint = {});
-  /// What a file named by the value is to blame for, with the place that names it.
+  /// Reports an error in a file named by the value, with the position of the name.
   void ErrorIn(const Value& value, SceneError error);
 
   void Warn(const Extent& extent, const std::string& message);
-  /// Only once of each `subject`.
+  /// Warns only once per `subject`.
   void WarnOnce(const std::string& subject, const Extent& extent, const std::string& message);
 
-  /// How many mistakes so far: who reads something knows by it whether all went well.
+  /// Returns the number of mistakes so far, by which readers know whether everything went well.
   std::size_t Errors() const { return errors_; }
   /// Returns HexColorHint for a key without a value.
   std::string HexColorBehind(const Entry& entry) const;
   std::string PathOf(const Value& value) const;
-  /// "scene.yaml:12"
+  /// Returns "scene.yaml:12".
   std::string PlaceOf(const Extent& extent) const;
   Token At(const Extent& extent) const { return document_.At(extent); }
   const Document& Source() const { return document_; }

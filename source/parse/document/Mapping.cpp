@@ -14,7 +14,7 @@
 namespace ray {
 namespace {
 
-/// What a message says was found: the word itself, or the kind of value.
+/// Returns the description of a value for "got ...": the word itself, or the kind of value.
 std::string Shown(const Value& value) {
   return value.kind == Value::Kind::scalar ? Quoted(value.scalar) : NameOf(value.kind);
 }
@@ -254,7 +254,7 @@ void Mapping::Finish() {
   for (const Entry& entry : value_->Entries())
     if (std::find(known_.begin(), known_.end(), entry.key) == known_.end()) unknown.push_back(&entry);
   for (const auto& names : missing_) {
-    // A key nearly of that name was surely meant for it.
+    // A key with a similar name was certainly meant for it.
     const auto meant = std::find_if(unknown.begin(), unknown.end(), [&](const Entry* entry) {
       return Suggestion(entry->key, names, "").starts_with("did you mean");
     });

@@ -8,8 +8,8 @@
 namespace ray {
 namespace {
 
-/// nlohmann's reader calls these as it goes through the text. It tells no places, so a cursor follows: at each event it
-/// passes over what stands between tokens, and then stands on the event's own.
+/// The event handler of nlohmann's reader, which reports no positions. A cursor follows the events: at each event it
+/// skips the text between tokens, and is then at the event's token.
 class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
  public:
   JsonEvents(const Text& text, DocumentBuilder& builder)
@@ -70,7 +70,7 @@ class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
 
-  /// The next token, and the cursor behind it. The text up to here is known to be right.
+  /// Returns the next token, and moves the cursor after it. The text up to here is known to be valid.
   Extent Next() {
     const std::size_t begin = std::min(text_.bytes.find_first_not_of(" \t\r\n,:", cursor_), text_.bytes.size());
     cursor_ = EndOfToken(begin);
@@ -92,8 +92,8 @@ class JsonEvents : public nlohmann::json_sax<nlohmann::json> {
   std::size_t cursor_;
 };
 
-/// "unexpected ']'; expected ..." of "[json.exception...] parse error at line 1, column 2: syntax error while parsing
-/// value - unexpected ']'; expected ...; last read: '...'".
+/// Returns "unexpected ']'; expected ..." for "[json.exception...] parse error at line 1, column 2: syntax error while
+/// parsing value - unexpected ']'; expected ...; last read: '...'".
 std::string WithoutPlace(std::string message) {
   if (const std::size_t i = message.find(" - "); i != std::string::npos) message.erase(0, i + 3);
   if (const std::size_t i = message.find("; last read: "); i != std::string::npos) message.erase(i);
@@ -109,17 +109,17 @@ std::string HintAt(const std::string& bytes, std::size_t offset) {
   const char c = offset < bytes.size() ? bytes[offset] : '\0';
   if (c == '/' || c == '#') return "JSON has no comments";
   if (c == '\'') return "JSON takes double quotes only";
-  if ((c == ']' || c == '}') && LastBefore(bytes, offset) == ',') return "a comma too many before it";
+  if ((c == ']' || c == '}') && LastBefore(bytes, offset) == ',') return "there is an extra comma before it";
   return {};
 }
 
 bool JsonEvents::parse_error(std::size_t position, const std::string& last_token,
                              const nlohmann::detail::exception& error) {
-  constexpr int out_of_range = 406;  // the library's number for a number that no double holds
+  constexpr int out_of_range = 406;  // the library's code for a number that no double represents
   const std::string message = WithoutPlace(error.what());
   const std::size_t size = text_.bytes.size();
-  // An unexpected token is where it begins: a mark is one byte (the library's last token still holds what was before
-  // it), a word as long as the last token. In a malformed one, the byte that cannot be is the last one read.
+  // An unexpected token is reported at its beginning: punctuation is one byte (the library's last token still contains
+  // the previous one), a word as long as the last token. In a malformed token, the wrong byte is the last one read.
   const bool is_word =
       error.id == out_of_range || (message.starts_with("unexpected") && !message.starts_with("unexpected '"));
   const std::size_t length = is_word ? std::max<std::size_t>(1, last_token.size()) : 1;
@@ -127,7 +127,7 @@ bool JsonEvents::parse_error(std::size_t position, const std::string& last_token
   const std::size_t offset = is_end ? size : std::min(position - std::min(position, length), size);
   Extent extent{offset, length};
   if (error.id == out_of_range) builder_.Fail(extent, "a number must fit a double, whose largest is 1.8e308");
-  if (offset == size) {  // shown where the text ends, not in the empty line behind it
+  if (offset == size) {  // shown at the end of the text, not in the empty line after it
     const std::size_t last = text_.bytes.find_last_not_of(" \t\r\n");
     extent = {last == std::string::npos ? 0 : last + 1, 1};
     builder_.Fail(extent, "the file ends too early" + message.substr(std::min(message.find(';'), message.size())));

@@ -18,12 +18,12 @@ namespace {
 class BytesBuffer : public std::streambuf {
  public:
   explicit BytesBuffer(std::string_view bytes) {
-    char* const begin = const_cast<char*>(bytes.data());  // only ever read
+    char* const begin = const_cast<char*>(bytes.data());  // only read
     setg(begin, begin, begin + bytes.size());
   }
 };
 
-/// Ends reading where a second document begins; yaml-cpp can be left by an exception only.
+/// Thrown at the start of a second document; yaml-cpp can be stopped only by an exception.
 struct SecondDocument {
   Extent extent;
 };
@@ -40,7 +40,7 @@ std::string_view WithoutComment(std::string_view line) {
   return line;
 }
 
-// Every level of the text is a few frames of yaml-cpp's stack; the builder's limit ends that by an exception.
+// Every level of the text takes a few stack frames of yaml-cpp; the builder's limit ends that by an exception.
 class YamlEvents : public YAML::EventHandler {
  public:
   YamlEvents(const Text& text, DocumentBuilder& builder)
@@ -53,7 +53,7 @@ class YamlEvents : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     Value null;
-    // What is absent has the mark of what follows it.
+    // An absent value has the mark of what follows it.
     if (builder_.IsInSequence())
       null.extent = ExtentOfItem(OffsetOf(mark));
     else
@@ -64,7 +64,7 @@ class YamlEvents : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const Extent extent{OffsetOf(mark), WordLength(OffsetOf(mark))};
     const auto named = named_.find(anchor);
-    if (named == named_.end()) builder_.Fail(extent, "this alias is inside of what it repeats");
+    if (named == named_.end()) builder_.Fail(extent, "this alias is inside the value that it repeats");
     builder_.AddAlias(named->second, extent);
   }
 
@@ -107,7 +107,7 @@ class YamlEvents : public YAML::EventHandler {
     Name(anchor, builder_.End());
   }
 
-  /// An anchor is known once what it names is complete.
+  /// Registers an anchor, which happens after its value is complete.
   void Name(YAML::anchor_t anchor, const Value& value) {
     if (anchor != YAML::NullAnchor) named_[anchor] = value;
   }
@@ -115,7 +115,7 @@ class YamlEvents : public YAML::EventHandler {
   void CheckTag(const YAML::Mark& mark, const std::string& tag) const {
     if (tag == "?" || tag == "!" || tag.empty()) return;
     const std::size_t offset = OffsetOf(mark);
-    builder_.Fail({offset, WordLength(offset)}, "tags have no meaning in scenes", "leave it out");
+    builder_.Fail({offset, WordLength(offset)}, "tags have no meaning in scenes", "remove it");
   }
 
   std::size_t WordLength(std::size_t offset) const {
@@ -123,7 +123,7 @@ class YamlEvents : public YAML::EventHandler {
     return std::min(end, text_.bytes.size()) - offset;
   }
 
-  /// A value's mark is that of its anchor, if it has one.
+  /// Returns the offset after the anchor of a value, if it has one; a value's mark is that of its anchor.
   std::size_t BehindAnchor(std::size_t offset) const {
     if (offset >= text_.bytes.size() || text_.bytes[offset] != '&') return offset;
     const std::size_t value = text_.bytes.find_first_not_of(" \t", offset + WordLength(offset));
@@ -136,8 +136,8 @@ class YamlEvents : public YAML::EventHandler {
     return {offset, rest.starts_with(scalar) ? scalar.size() : 1};
   }
 
-  /// Extent of an empty item: the last word before `offset`, which is its dash, comments left out; or what is at
-  /// `offset` where that says "null".
+  /// Returns the extent of an empty item: the last word before `offset`, which is its dash, without comments; or the
+  /// word at `offset` if that is "null".
   Extent ExtentOfItem(std::size_t offset) const {
     const std::string_view bytes = text_.bytes;
     const std::string_view word = bytes.substr(std::min(offset, bytes.size()), WordLength(offset));
@@ -153,7 +153,7 @@ class YamlEvents : public YAML::EventHandler {
     }
   }
 
-  /// yaml-cpp closes a quotation at the end of the file itself.
+  /// Returns the length of quoted text; yaml-cpp itself closes a quotation at the end of the file.
   std::size_t QuotedLength(std::size_t offset) const {
     const std::string& bytes = text_.bytes;
     const char quote = bytes[offset];
@@ -164,7 +164,7 @@ class YamlEvents : public YAML::EventHandler {
       else if (bytes[i] == quote)
         return i + 1 - offset;
     }
-    builder_.Fail({offset, 1}, "this quotation never ends");
+    builder_.Fail({offset, 1}, "this quoted text is not closed");
   }
 
   const Text& text_;
@@ -175,8 +175,8 @@ class YamlEvents : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-// A bracket may turn out to begin a key. Until it closes yaml-cpp keeps its tokens, about 90 bytes for each one of
-// text: 3 GB at most.
+// A bracket may turn out to begin a key. yaml-cpp keeps its tokens until it is closed, about 90 bytes per byte of text:
+// 3 GB at most.
 constexpr std::size_t max_bytes = std::size_t{1} << 25;
 
 bool HasTabInIndentation(const Text& text, std::size_t offset) {
@@ -185,7 +185,7 @@ bool HasTabInIndentation(const Text& text, std::size_t offset) {
   return text.bytes.substr(begin, end - begin).find('\t') != std::string::npos;
 }
 
-/// yaml-cpp's words for a mistake, in the terms of the file where its own are those of its tables.
+/// Returns yaml-cpp's message for a mistake, reworded in terms of the file if it refers to internal tables.
 std::string Explained(const std::string& message) {
   namespace Says = YAML::ErrorMsg;
   if (message == Says::MAP_VALUE) return "unexpected ':'";
@@ -196,13 +196,13 @@ std::string Explained(const std::string& message) {
   if (message == Says::END_OF_SEQ_FLOW) return "a ']' is missing before this";
   if (message == Says::FLOW_END) return "unexpected end of brackets";
   if (message == Says::UNKNOWN_TOKEN) return "unexpected character";
-  if (message == Says::EOF_IN_SCALAR) return "the file ends within a quotation";
-  if (message == Says::UNKNOWN_ANCHOR) return "no anchor of that name stands before this alias";
+  if (message == Says::EOF_IN_SCALAR) return "the file ends inside quoted text";
+  if (message == Says::UNKNOWN_ANCHOR) return "no anchor with that name precedes this alias";
   return message;
 }
 
-/// The colon that is none for want of a space behind it, where that explains a mistake at `offset`: in the word before,
-/// or, as yaml-cpp takes the word to go on in the next line, at the beginning of the line above.
+/// Returns the colon that lacks a space after it, if that explains a mistake at `offset`: in the word before, or at the
+/// beginning of the line above, because yaml-cpp continues the word on the next line.
 std::optional<std::size_t> ColonWithoutSpace(const std::string& bytes, std::size_t offset) {
   if (offset > 0 && offset < bytes.size() && bytes[offset - 1] == ':') return offset - 1;
   const std::size_t line = BeginOfLine(bytes, offset);
@@ -219,14 +219,14 @@ SceneError ErrorOf(const YAML::Exception& error, const Extent& extent, const std
                    const Text& text, const TextPlaces& places) {
   const Token token = places.At(extent);
   if (HasTabInIndentation(text, extent.offset))
-    return ErrorAt(text, token, "tab in the indentation", "YAML takes spaces only");
+    return ErrorAt(text, token, "tab in the indentation", "YAML allows only spaces");
   namespace Says = YAML::ErrorMsg;
   const bool is_of_colon =
       error.msg == Says::MAP_VALUE || error.msg == Says::END_OF_MAP_FLOW || error.msg == Says::END_OF_SEQ_FLOW;
   if (const auto colon = is_of_colon ? ColonWithoutSpace(text.bytes, extent.offset) : std::nullopt)
     return ErrorAt(text, places.At({*colon, 1}), "a space is missing after this colon");
   std::string hint;
-  if (error.msg == Says::MAP_VALUE) hint = "is the indentation that of the line above?";
+  if (error.msg == Says::MAP_VALUE) hint = "is the indentation the same as in the line above?";
   if (innermost && (error.msg == Says::END_OF_MAP_FLOW || error.msg == Says::END_OF_SEQ_FLOW))
     hint = "opened in line " + std::to_string(places.At(*innermost).line);
   return ErrorAt(text, token, Explained(error.msg), hint);

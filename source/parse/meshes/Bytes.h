@@ -9,7 +9,7 @@
 
 namespace ray {
 
-/// Reads binary numbers of a stated byte order from a file in memory.
+/// A reader of binary numbers with a given byte order from a file in memory.
 class Bytes {
  public:
   Bytes(std::string_view bytes, std::size_t offset, std::endian order)
@@ -18,7 +18,7 @@ class Bytes {
   std::size_t Offset() const { return offset_; }
   std::size_t Left() const { return bytes_.size() - offset_; }
 
-  /// Left() must be at least sizeof(T).
+  /// Reads a number; Left() must be at least sizeof(T).
   template <class T>
   T Next() {
     static_assert(std::is_arithmetic_v<T>);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t max_triangles = std::size_t{1} << 28;  // 3 GB of indices, within what a mesh can count
 
-/// Gives what is named by corners the names of vertices.
+/// Replaces the names of corners by the names of vertices.
 template <typename VertexOf>
 void Rename(R3::MeshData& mesh, std::span<AddedVertex> added, const VertexOf& vertex_of) {
   for (auto& triangle : mesh.triangles)

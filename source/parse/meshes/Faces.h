@@ -16,35 +16,35 @@
 
 namespace ray {
 
-/// A vertex that a file lacks: where two sides of a face cross, at a share of the way from one vertex to another.
+/// A vertex that a file lacks: the crossing of two sides of a face, at a share of the way from one vertex to another.
 struct AddedVertex {
   std::uint32_t from, to;
   double share;
 };
 
-/// Turns the faces of a file into the triangles of a mesh, and notes the line of each where the file is text.
+/// A converter from the faces of a file to the triangles of a mesh. For text files, it records the line of each.
 class Faces {
  public:
   explicit Faces(R3::MeshData& mesh) : mesh_(mesh) {}
 
-  /// Makes room for faces that a file declares, as far as `bytes_left` of it may hold triangles.
+  /// Reserves memory for the faces that a file declares, limited by the triangles that `bytes_left` bytes may contain.
   void Reserve(std::size_t faces, std::size_t bytes_left) {
-    constexpr std::size_t least_bytes = 4;  // of a triangle: the number of its corners, and three indices
+    constexpr std::size_t least_bytes = 4;  // per triangle: the number of its corners, and three indices
     R1::ReserveOnHugePages(mesh_.triangles, std::min(faces, bytes_left / least_bytes));
   }
   /// Adds a face whose corners are at `places`, indices into the mesh's positions; the triangles are made of the
-  /// `names` that go with them. Gives what is wrong with the face, or null. A face of fewer than 3 corners, which
-  /// real files do hold, is counted and left out.
-  ///   where   a word of the face; of no line in a binary file
+  /// corresponding `names`. Returns what is wrong with the face, or null. Faces with fewer than 3 corners, which occur
+  /// in real files, are counted and skipped.
+  ///   where   a word of the face; without a line in a binary file
   const char* Add(std::span<const std::uint32_t> places, std::span<const std::uint32_t> names, const Token& where);
   const char* Add(std::span<const std::uint32_t> places, const Token& where) { return Add(places, places, where); }
 
-  /// The vertices that are still to be added. Whoever renames those of the mesh renames theirs.
+  /// Returns the vertices that are still to be added. Code that renames the mesh's vertices must rename theirs too.
   std::vector<AddedVertex>& Added() { return added_; }
-  /// Adds them, when all others are there.
+  /// Adds them; called after all others were added.
   void AddVertices();
 
-  /// Warns of what could not be taken as it stands.
+  /// Warns about faces that could not be used unchanged.
   void Warn(const Text& file, Report& report) const;
 
  private:
@@ -63,7 +63,7 @@ class Faces {
   std::vector<R3::Point> polygon_;
 };
 
-/// A corner of a face in formats whose faces index places, texture coordinates and normals one by one.
+/// A corner of a face in formats whose faces index positions, texture coordinates and normals separately.
 struct Corner {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
   std::uint32_t place, uv = none, normal = none;
@@ -71,12 +71,11 @@ struct Corner {
   friend auto operator<=>(const Corner&, const Corner&) = default;
 };
 
-/// Turns triangles of corners into triangles of vertices. A vertex of a mesh has one normal and one pair of texture
-/// coordinates; where a file gives a place several of them, it becomes several vertices. Takes n log n time for n
-/// corners.
-///   mesh      positions, and colors of places, as the file has them; triangles that index `corners`
+/// Converts triangles of corners to triangles of vertices. A vertex of a mesh has one normal and one pair of texture
+/// coordinates; a position with several of them in the file becomes several vertices. Takes n log n time for n corners.
+///   mesh      positions, and colors of positions, as in the file; triangles that index `corners`
 ///   added     vertices between those of corners, which are renamed like them
-///   uvs       what the corners' uv and normal index, likewise `normals`; where they are empty the mesh has none
+///   uvs       the targets of the corners' uv and normal indices, likewise `normals`; empty if the mesh has none
 void MakeVertices(R3::MeshData& mesh, std::span<const Corner> corners, std::span<AddedVertex> added,
                   std::span<const R2::Point> uvs, std::span<const R3::Normal> normals);
 

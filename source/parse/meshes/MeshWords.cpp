@@ -111,8 +111,8 @@ void Tally::Warn(const Text& file, Report& report, const std::string& one, const
 }
 
 void WarnOfAbsent(const Tally& normals, const Tally& uvs, const Text& file, Report& report) {
-  normals.Warn(file, report, "use of a normal that is not finite counts as none",
-               "uses of normals that are not finite count as none");
+  normals.Warn(file, report, "use of a normal that is not finite is ignored",
+               "uses of normals that are not finite are ignored");
   uvs.Warn(file, report, "use of texture coordinates that are not finite counts as 0 0",
            "uses of texture coordinates that are not finite count as 0 0");
 }

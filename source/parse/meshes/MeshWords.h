@@ -24,10 +24,10 @@ struct Part {
   }
 };
 
-/// "7 bytes follow"
+/// Returns "7 bytes follow".
 std::string BytesThatFollow(std::size_t bytes);
 
-/// The words of a mesh file in text form. Everything throws SceneError with the place in the file.
+/// A reader of the words of a text mesh file. All functions throw SceneError with the position in the file.
 class MeshWords {
  public:
   MeshWords(const Text& text, Tokenizer::Comments comments, Tokenizer::Joints joints = Tokenizer::Joints::none)
@@ -37,30 +37,30 @@ class MeshWords {
   const std::optional<Token>& Peek() { return tokens_.Peek(); }
   std::optional<Token> Next();
   Token Need(const Part& part);
-  /// NaN for a word that says NaN or infinity.
+  /// Reads a number; NaN for a word that means NaN or infinity.
   double AnyNumber(const Part& part);
-  /// At most 1e150 in magnitude.
+  /// Reads a number of at most 1e150 in magnitude.
   double Coordinate(const Part& part);
   R3::Point Place(const char* of, std::size_t number);
-  /// A number that the mesh can do without: nothing where it is NaN, infinite, or beyond 1e150 in magnitude.
+  /// Reads an optional number; std::nullopt if it is NaN, infinite, or above 1e150 in magnitude.
   std::optional<double> NumberIfUsable(const Part& part);
-  /// Three of them: nothing where one is missing.
+  /// Reads three of them; std::nullopt if one is not usable.
   std::optional<R3::Vector> VectorIfUsable(const char* of, std::size_t number);
   std::int64_t Whole(const Part& part);
-  /// The whole number that a word read before says.
+  /// Returns the integer in a word that was already read.
   std::int64_t WholeIn(const Token& word, const Part& part) const;
-  /// A whole number in [0, below).
+  /// Reads an integer in [0, below).
   std::uint32_t Index(const Part& part, std::size_t below);
 
-  /// Whether another word follows on the line of the last one.
+  /// Returns true if another word follows on the line of the last one.
   bool HasMoreOnLine();
   bool NextIs(std::string_view word) { return !AtEnd() && Peek()->text == word; }
-  /// What follows the last word on its line, as it stands, blanks within it and what looks like a comment included: a
-  /// name. Passes over its words.
+  /// Reads the unchanged text after the last word on its line as a name, including blanks and apparent comments. Skips
+  /// its words.
   Token RestOfLine();
-  /// How many words were left on the line of the last one.
+  /// Skips the rest of the last word's line and returns the number of words.
   std::size_t SkipLine() { return tokens_.SkipLine(last_.line); }
-  /// How many lines with words follow the line of the last one; looks through the rest of the file.
+  /// Returns the number of nonempty lines after the line of the last word; scans the rest of the file.
   std::size_t LinesLeft() const;
   std::size_t BytesLeft() const { return tokens_.BytesLeft(); }
   const Token& Last() const { return last_; }
@@ -73,18 +73,18 @@ class MeshWords {
   Token last_;
 };
 
-/// Counts what is odd about a file and remembers where it was seen first, for one warning about all of it.
+/// Counts oddities of a file and remembers the first position, for one warning about all of them.
 class Tally {
  public:
-  /// `where` is of no line in a binary file.
+  /// Counts one oddity; `where` has no line in a binary file.
   void Add(const Token& where) {
     if (count_++ == 0) first_ = where;
   }
   bool IsEmpty() const { return count_ == 0; }
   const Token& First() const { return first_; }
 
-  /// "a.off:5:1: warning: 3 faces skipped, the first of them here" for one = "face skipped", many = "faces skipped".
-  /// Nothing when nothing was counted.
+  /// Warns "a.off:5:1: warning: 3 faces skipped, the first of them here" for one = "face skipped", many = "faces
+  /// skipped". Does nothing if nothing was counted.
   void Warn(const Text& file, Report& report, const std::string& one, const std::string& many) const;
 
  private:
@@ -92,7 +92,7 @@ class Tally {
   Token first_;
 };
 
-/// Warns of normals and texture coordinates that are no finite numbers, or too large, and so were left out.
+/// Warns about normals and texture coordinates that are not finite, or too large, and were therefore ignored.
 void WarnOfAbsent(const Tally& normals, const Tally& uvs, const Text& file, Report& report);
 
 }  // namespace ray

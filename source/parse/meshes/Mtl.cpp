@@ -14,7 +14,7 @@
 namespace ray {
 namespace {
 
-/// An option of a texture, and how many words or numbers belong to it.
+/// An option of a texture, and the number of its arguments.
 struct MapOption {
   std::string_view name;
   bool has_words;
@@ -34,7 +34,7 @@ const MapOption* OptionNamed(std::string_view name) {
   return found == map_options.end() ? nullptr : &*found;
 }
 
-/// The statements of one file. Keywords are known in any letter case, as most programs have it.
+/// A reader of the statements of one file. Keywords are case-insensitive, as in most programs.
 class MtlReader {
  public:
   MtlReader(const Text& file, Report& report)
@@ -59,7 +59,7 @@ class MtlReader {
     std::size_t material;
     Token keyword, rest;
   };
-  /// What every material may repeat.
+  /// A warning that may apply to every material.
   struct Remark {
     std::string message;
     Token first;
@@ -100,7 +100,7 @@ class MtlReader {
     return false;
   }
 
-  /// One number stands for all three channels.
+  /// Reads a color; a single number applies to all three channels.
   bool ReadColor(std::optional<R2::Color>& color) {
     if (NextIs("spectral") || NextIs("xyz")) {
       Warn(*words_.Peek(), "a color must be r g b; " + Quoted(words_.Peek()->text) + " is not supported and ignored");
@@ -132,7 +132,7 @@ class MtlReader {
     return true;
   }
 
-  /// Not negative.
+  /// Reads a nonnegative number.
   double Number() {
     const double value = AnyNumber();
     if (value < 0)
@@ -162,7 +162,7 @@ class MtlReader {
     map = std::move(read);
   }
 
-  /// Reads the rest of the line, or what stands before options that some programs write behind the name.
+  /// Reads the rest of the line, or the part before options that some programs write after the name.
   Token NameBeforeOptions() {
     MeshWords ahead = words_;
     for (std::size_t words = 1; ahead.HasMoreOnLine(); ++words) {
@@ -177,7 +177,7 @@ class MtlReader {
     return words_.RestOfLine();
   }
 
-  /// Returns true if the rest of the line is nothing but options and what belongs to them.
+  /// Returns true if the rest of the line consists of options and their arguments.
   static bool BeginsOptions(MeshWords words) {
     const auto next_is_word = [&] { return words.HasMoreOnLine() && words.Peek()->text[0] != '-'; };
     const auto next_is_number = [&] { return words.HasMoreOnLine() && !ParseNumber(words.Peek()->text).problem; };
@@ -204,7 +204,7 @@ class MtlReader {
     }
   }
 
-  /// Up to three numbers, u v w; v is `missing` without a number of its own.
+  /// Reads up to three numbers, u v w; a missing v is set to `missing`.
   void ReadVector(R2::Vector& v, double missing) {
     v = {AnyNumber(), missing};
     if (NextIsNumber()) v.y = AnyNumber();
@@ -223,12 +223,12 @@ class MtlReader {
     if (!known) words_.Fail(option, "unknown option " + Quoted(option.text) + " of a texture");
     if (known->has_words && ContinuesStatement()) words_.Next();
     while (!known->has_words && NextIsNumber()) words_.Next();
-    // Blending of texels, and their channel where that is the luminance, are what happens anyway.
+    // Interpolation of texels, and the luminance as their channel, are the default anyway.
     if (option.text == "-blendu" || option.text == "-blendv" || option.text == "-imfchan") return;
     Warn(option, Quoted(option.text) + " is not supported and ignored");
   }
 
-  /// Programs repeat the image of kd as that of ka, which textures multiply anyway.
+  /// Warns about separate maps of ka. Programs repeat the image of kd as that of ka, which textures multiply anyway.
   void WarnOfMapsOfKa() {
     for (const MapOfKa& map : maps_of_ka_) {
       const auto& map_Kd = materials_[map.material].map_Kd;

@@ -11,16 +11,16 @@
 
 namespace ray {
 
-/// An image of a material, and how it lies on the surface.
+/// An image of a material, and its mapping to the surface.
 struct MtlMap {
   std::string file;
   std::string place;                     // "car.mtl:7:8"
   R2::Vector scale{1, 1}, offset{0, 0};  // of texture coordinates: uv scale + offset
-  bool is_clamped = false;               // shown once and not repeated
+  bool is_clamped = false;               // shown once, not repeated
   double multiplier = 1;                 // of heights
 };
 
-/// A material as a file says it; what is missing was not said.
+/// A material as stated in a file; missing values are empty.
 struct MtlMaterial {
   std::string name;
   std::string place;
@@ -30,8 +30,8 @@ struct MtlMaterial {
   std::optional<MtlMap> map_Kd, bump, norm;
 };
 
-/// Reads a material library. Warns about statements that have no effect here, once for each kind, with the place of the
-/// first. Throws SceneError.
+/// Reads a material library. Warns about statements without effect, once per kind, with the position of the first one.
+/// Throws SceneError.
 ///   source   Wavefront, Advanced Visualizer manual, MTL material format (1995); Ke and norm as Blender writes them
 std::vector<MtlMaterial> ReadMtl(const Text& file, Report& report);
 

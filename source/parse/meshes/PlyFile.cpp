@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-constexpr std::size_t max_properties = 1000;  // each is read once for every element, so many of them cost time
+constexpr std::size_t max_properties = 1000;  // each is read once per element, so many of them take time
 
 template <class T>
 double NextAs(Bytes& bytes) {
@@ -109,8 +109,8 @@ const PlyType& PlyFile::TypeAt(const Token& word) const {
               "supported: char, uchar, short, ushort, int, uint, float, double");
 }
 
-// In binary files the data may begin with a byte that looks like a line end, so exactly one is skipped, of the kind
-// that ends the first line.
+// In binary files the data may begin with a byte that looks like a line end, so exactly one line end is skipped, of the
+// kind that ends the first line.
 std::size_t PlyFile::OffsetBehindHeader() const {
   const std::string_view bytes = Source().bytes;
   const std::size_t end = bytes.find_first_of("\r\n");
@@ -151,7 +151,7 @@ void PlyFile::Read(const PlyElement& element, std::size_t number, const PlyColum
   if (is_text_ && words_.HasMoreOnLine()) EndRow(columns, row);
 }
 
-/// Returns NaN for a number that is not finite in a text file.
+/// Reads a number; NaN for one that is not finite in a text file.
 double PlyFile::Next(const PlyType& type, const PlyProperty& property) {
   if (is_text_) return words_.AnyNumber({property.name.c_str(), element_->name.c_str(), number_});
   last_offset_ = bytes_.Offset();
@@ -173,7 +173,8 @@ void PlyFile::ReadList(const PlyProperty& property, std::vector<double>* list) {
   }
 }
 
-// Extra numbers of a vertex are ambiguous and so an error. Those of a face are known if its corners come first.
+// Extra numbers in a vertex row are ambiguous and therefore an error. In a face row, numbers after the corners are
+// ignored.
 void PlyFile::EndRow(const PlyColumns& columns, const PlyRow& row) {
   if (!has_line_each_) has_line_each_ = words_.LinesLeft() >= RowsBehind();
   if (!*has_line_each_) return;
@@ -205,8 +206,8 @@ void PlyFile::CheckEnd(Report& report) {
 }
 
 void PlyFile::Warn(Report& report) const {
-  long_faces_.Warn(Source(), report, "face has ignored numbers behind those that the header declares",
-                   "faces have ignored numbers behind those that the header declares");
+  long_faces_.Warn(Source(), report, "face has ignored numbers after those that the header declares",
+                   "faces have ignored numbers after those that the header declares");
 }
 
 void PlyFile::Fail(const std::string& message) const {

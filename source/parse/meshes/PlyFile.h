@@ -10,11 +10,11 @@
 
 namespace ray {
 
-/// A type of the numbers of a .ply file. Every number of every type fits a double exactly.
+/// A number type of .ply files. Every number of every type fits a double exactly.
 struct PlyType {
-  const char *name, *later_name;  // Turk's, and that of later libraries
+  const char *name, *later_name;  // Turk's name, and that of later libraries
   std::size_t bytes;
-  double white;  // what the greatest channel of a color has
+  double white;  // the maximum of a color channel
   bool is_whole;
   double (*next)(Bytes& bytes);
 };
@@ -22,16 +22,16 @@ struct PlyType {
 struct PlyProperty {
   std::string name;
   const PlyType* type;
-  const PlyType* count_type;  // of a list; null if the property is one number
+  const PlyType* count_type;  // of a list; null for a single number
 };
 
 struct PlyElement {
   std::string name;
   std::size_t count = 0;
   std::vector<PlyProperty> properties;
-  Token where;  // the count's word in the header
+  Token where;  // the position of the count in the header
 
-  /// Returns the index of a list or of a plain number in `properties`, if there is one of that name.
+  /// Returns the index of a list or of a single number in `properties`, if there is one with that name.
   std::optional<std::size_t> Find(std::string_view property, bool is_list) const;
 };
 
@@ -41,16 +41,16 @@ struct PlyColumns {
   std::optional<std::size_t> corners{}, uvs{};  // lists
 };
 
-/// The numbers of one vertex, face or strip: plain ones by property, and the lists that are used.
+/// The numbers of one vertex, face or strip: single ones by property, and the lists that are used.
 struct PlyRow {
   std::vector<double> numbers;
   std::vector<double> corners, uvs;
-  Token unusable;  // the last number that is not finite; of no line in a binary file
+  Token unusable;  // the last number that is not finite; without a line in a binary file
 };
 
-/// The header and the rows of a .ply file, text or binary. In text files a row should have a line, but its numbers
-/// count and not the lines, unless that would take numbers beyond those that the header declares for the next row.
-/// Everything throws SceneError.
+/// The header and the rows of a .ply file, text or binary. In text files a row should be a line, but rows are delimited
+/// by the count of numbers, not by lines, unless that would use numbers beyond those that the header declares for the
+/// next row. All functions throw SceneError.
 ///   source   Turk, The PLY polygon file format (1994)
 class PlyFile {
  public:
@@ -58,23 +58,23 @@ class PlyFile {
   explicit PlyFile(const Text& file);
 
   const std::vector<PlyElement>& Elements() const { return elements_; }
-  /// The names of image files, which VCGlib writes in comments.
+  /// Returns the names of image files, which VCGlib writes in comments.
   const std::vector<Token>& Textures() const { return textures_; }
   const Text& Source() const { return words_.Source(); }
 
   /// Throws if the rest of the file is too short for all rows of the element.
   void CheckLength(const PlyElement& element) const;
-  /// Reads a row of the element. Overwrites `row`, so that its memory is used again.
+  /// Reads a row of the element. Overwrites `row`, so that its memory is reused.
   void Read(const PlyElement& element, std::size_t number, const PlyColumns& columns, PlyRow& row);
-  /// Warns of what follows the last row; throws if rows did not end with their lines.
+  /// Warns about data after the last row; throws if rows did not end with their lines.
   void CheckEnd(Report& report);
-  /// Warns of faces with more numbers than declared.
+  /// Warns about faces with more numbers than declared.
   void Warn(Report& report) const;
 
   std::size_t BytesLeft() const { return is_text_ ? words_.BytesLeft() : bytes_.Left(); }
-  /// Returns true if a row did not end with its line. Numbers may then be counted wrong, and what is odd is an error.
+  /// Returns true if a row did not end with its line. Numbers may then be miscounted, so oddities are errors.
   bool IsIrregular() const { return has_line_each_.has_value(); }
-  /// The number that was read last; of no line in a binary file.
+  /// Returns the number that was read last; without a line in a binary file.
   Token Last() const { return is_text_ ? words_.Last() : Token{}; }
   /// Throws an error about the last number of the row that was read last.
   [[noreturn]] void Fail(const std::string& message) const;
@@ -104,7 +104,7 @@ class PlyFile {
   // The row being read:
   const PlyElement* element_ = nullptr;
   std::size_t number_ = 0, last_offset_ = 0;
-  std::optional<bool> has_line_each_;  // rows of a text file; known once one of them does not end with its line
+  std::optional<bool> has_line_each_;  // rows of a text file; known once a row does not end with its line
   Tally long_faces_;
 };
 

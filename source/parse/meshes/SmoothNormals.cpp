@@ -13,16 +13,16 @@
 namespace ray {
 namespace {
 
-constexpr std::size_t most_around = 1024;  // all are compared with each other
+constexpr std::size_t most_around = 1024;  // the number of pairs is quadratic
 
-/// A corner of a triangle, with what it adds to a mean.
+/// A corner of a triangle and its contribution to a mean normal.
 struct Wedge {
   std::uint32_t triangle;
   R3::Vector normal;  // of the triangle, unit or zero
   double angle;
 };
 
-/// Where triangles meet: corners sorted by their place.
+/// The corners of triangles, sorted by position.
 class Smoothing {
  public:
   explicit Smoothing(R3::MeshData& mesh) : mesh_(mesh), corners_(3 * mesh.triangles.size()) {
@@ -34,8 +34,8 @@ class Smoothing {
       }
   }
 
-  /// Asks `belong(a, b)` about the triangles around each place. Corners for which `is_free(corner)` does not hold keep
-  /// the normal that they have.
+  /// Calls `belong(a, b)` for pairs of triangles around each position. Corners without `is_free(corner)` keep their
+  /// normal.
   template <class Belong, class IsFree>
   void Run(const Belong& belong, const IsFree& is_free) {
     std::vector<std::uint32_t> order(corners_.size());
@@ -90,7 +90,7 @@ class Smoothing {
     return {t, Unit(across), R1::Atan2(Length(across), Dot(a, b))};
   }
 
-  /// Corners of one place mostly have few normals, which are told apart by their bits.
+  /// Returns the number of a normal. Corners at one position mostly have few normals, distinguished by their bits.
   std::uint32_t NumberOf(const R3::Normal& normal, std::size_t first) {
     const auto known = std::find(normals_.begin() + static_cast<std::ptrdiff_t>(first), normals_.end(), normal);
     const auto number = static_cast<std::uint32_t>(known - normals_.begin());

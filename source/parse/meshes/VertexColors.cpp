@@ -8,12 +8,13 @@
 namespace ray {
 namespace {
 
-constexpr float no_color = -1;  // until it is known what white is
+constexpr float no_color = -1;  // until the value of white is known
 constexpr std::array none{no_color, no_color, no_color};
 constexpr double largest = 255;
-// Rounding and overexposure lead above 1 too. A mesh whose brightest channel is less than this of 255 is all but black.
+// Rounding and overexposure also exceed 1. A mesh whose brightest channel is below this value out of 255 is nearly
+// black.
 constexpr double surely_bytes = 16;
-constexpr double half_a_step = 0.5 / largest;  // of a byte: less above 1 is rounding
+constexpr double half_a_step = 0.5 / largest;  // of a byte: a smaller excess above 1 is rounding
 
 bool IsWhole(const std::array<float, 3>& color) {
   return std::ranges::all_of(color, [](float c) { return c == std::floor(c); });
@@ -49,8 +50,8 @@ std::vector<std::array<float, 3>> VertexColors::Take(std::size_t vertices) {
 }
 
 void VertexColors::Warn(const Text& file, Report& report) const {
-  absent_.Warn(file, report, "color of a vertex is not finite or negative and counts as white",
-               "colors of vertices are not finite or negative and count as white");
+  absent_.Warn(file, report, "color of a vertex is not finite or negative and is replaced by white",
+               "colors of vertices are not finite or negative and are replaced by white");
   if (!were_bytes_ && greatest_ > 1 + half_a_step)
     report.Warn(Escaped(file.name), "colors of vertices go up to " + ToText(greatest_) + "; above 1 they count as 1");
 }

@@ -8,21 +8,21 @@
 
 namespace ray {
 
-/// Collects the colors of vertices, of which some may have none: those are white. Files say channels from 0 to 1, or
-/// from 0 to 255 without a word about it. The author's viewer shows channels above 1 as 1, and so does Take.
+/// A collector of vertex colors; vertices without one are white. Files use channels from 0 to 1, or from 0 to 255,
+/// without stating which. The course author's viewer clamps channels above 1, and so does Take.
 class VertexColors {
  public:
-  /// Sets the color of a vertex. Channels that are not usable, or negative, are counted, and make it white.
+  /// Sets the color of a vertex. Invalid or negative channels are counted, and make it white.
   ///   place   index of the vertex
   void Add(std::size_t place, const std::array<double, 3>& channels, const Token& where);
 
-  /// One for each of the vertices, or nothing where none has one.
+  /// Returns one color per vertex, or an empty vector if no vertex has one.
   std::vector<std::array<float, 3>> Take(std::size_t vertices);
-  /// Returns true if there is no color yet.
+  /// Returns true if no color was added yet.
   bool IsEmpty() const { return colors_.empty(); }
-  /// Returns true if the channels were of 0 to 255; known once they are taken.
+  /// Returns true if the channels were in 0 to 255; valid after Take.
   bool WereBytes() const { return were_bytes_; }
-  /// Call it after Take.
+  /// Adds the warnings; called after Take.
   void Warn(const Text& file, Report& report) const;
 
  private:

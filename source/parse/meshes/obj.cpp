@@ -15,15 +15,15 @@
 namespace ray {
 namespace {
 
-// Statements of groups, names and attributes of rendering, which show nothing; and those of curves and surfaces.
+// Statements of groups, names and rendering attributes, which have no visible effect; and those of curves and surfaces.
 constexpr std::string_view invisible[] = {"g",     "o",        "mg",       "lod",        "usemap",    "maplib",
                                           "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "csh"};
 constexpr std::string_view curves[] = {"vp",    "cstype", "deg",  "bmat", "step", "curv", "curv2", "surf",
                                        "parm",  "trim",   "hole", "scrv", "sp",   "end",  "con",   "ctech",
                                        "stech", "bzp",    "bsp",  "cdc",  "cdp",  "res",  "call"};
 
-/// Reads vertices and faces. Statements without a meaning for them are passed over; what would be seen and is not, and
-/// what no statement is, with a warning.
+/// A reader of vertices and faces. Other statements are skipped; those with a visible effect, and unknown ones, with a
+/// warning.
 /// Source: Wavefront, Advanced Visualizer manual, appendix B1: object files.
 class ObjReader {
  public:
@@ -48,7 +48,7 @@ class ObjReader {
   }
 
  private:
-  /// "fo" is an old name of "f".
+  /// Reads one statement; "fo" is an old name of "f".
   void ReadStatement(const Token& word) {
     const std::string_view name = word.text;
     if (name == "v") return ReadPlace();
@@ -72,7 +72,7 @@ class ObjReader {
     if (ContinuesStatement()) ReadBehindPlace(number);
   }
 
-  /// A weight, which only curves have a use for, or a color without or with alpha.
+  /// Reads what follows a position: a weight, which only curves use, or a color without or with alpha.
   void ReadBehindPlace(std::size_t number) {
     const Token first = *words_.Peek();
     std::array<double, 3> color{};
@@ -84,7 +84,7 @@ class ObjReader {
     if (numbers == 6 || numbers == 7) return colors_.Add(number - 1, color, first);
     if (numbers != 4)
       words_.Fail(words_.Last(), "vertex " + std::to_string(number) + " has " + std::to_string(numbers) + " numbers",
-                  "known are x y z, and behind them a weight w, or a color r g b or r g b a");
+                  "supported: x y z, followed by a weight w, or a color r g b or r g b a");
   }
 
   void ReadUv() {
@@ -105,13 +105,13 @@ class ObjReader {
     normals_.push_back(AsNormal(R3::Vector{x, y, z}));
   }
 
-  /// Unlike words elsewhere, those of a statement end with its line.
+  /// Reads a coordinate. Unlike elsewhere, the words of a statement end with its line.
   double Coordinate(const Part& part) {
     CheckContinues(part);
     return words_.Coordinate(part);
   }
 
-  /// NaN for what is not finite or too large, which counts only where a face uses it.
+  /// Reads a number; NaN if it is not finite or too large, which matters only if a face uses it.
   double NumberOrNan(const Part& part) {
     CheckContinues(part);
     return words_.NumberIfUsable(part).value_or(std::numeric_limits<double>::quiet_NaN());
@@ -140,7 +140,7 @@ class ObjReader {
     if (const char* problem = faces_.Add(places_, names_, command)) words_.Fail(command, problem);
   }
 
-  /// Programs write an empty name for a material whose name is empty.
+  /// Reads the name of a material; programs write an empty name if the material's name is empty.
   void ReadMaterial() {
     const Token name = words_.RestOfLine();
     const auto number = static_cast<std::uint32_t>(read_.materials.size());
@@ -154,7 +154,7 @@ class ObjReader {
     if (!names.text.empty()) read_.material_files.push_back(NameAt(names));
   }
 
-  /// A number, or "off" or 0.
+  /// Reads a number, or "off" or 0.
   void ReadSmoothing() {
     const std::int64_t group = ContinuesStatement() ? ParseWhole(words_.Next()->text).value : 0;
     BeginRun(read_.smoothing_runs, static_cast<std::uint32_t>(group));
@@ -170,7 +170,7 @@ class ObjReader {
     return {std::string(name.text), Place(words_.Source().name, name.line, name.column)};
   }
 
-  /// place, place/uv, place//normal or place/uv/normal
+  /// Reads place, place/uv, place//normal or place/uv/normal.
   Corner ReadCorner(const Token& word) {
     std::string_view rest = word.text;
     const auto next = [&] {
@@ -204,7 +204,7 @@ class ObjReader {
     return Corner::none;
   }
 
-  /// From 1; negative ones count back from the last so far.
+  /// Converts an index: 1-based; negative ones count back from the last one so far.
   std::uint32_t IndexOf(const Token& word, std::string_view text, std::size_t count, const char* what) const {
     const std::int64_t number = WholeIn(word, text, what);
     const auto known = static_cast<std::int64_t>(count);
@@ -223,14 +223,14 @@ class ObjReader {
                 std::to_string(count) + " defined before this line, numbered from 1");
   }
 
-  /// Some programs write indices, often all 0 or 1, into lists that they leave out.
+  /// Counts an index into a list that the file lacks; some programs write them, often all 0 or 1.
   std::uint32_t Missing(const Token& word, std::string_view text, const char* what, Tally& missing) const {
     WholeIn(word, text, what);
     missing.Add(word);
     return Corner::none;
   }
 
-  /// A list that begins behind faces that index it is no missing one.
+  /// Throws if the list begins after faces that index it, so that it is not missing.
   void CheckMissing(const Tally& missing, std::size_t count, const char* what) const {
     if (missing.IsEmpty() || count == 0) return;
     words_.Fail(missing.First(), std::string("a ") + what + " is used before the first is defined");
@@ -262,8 +262,8 @@ class ObjReader {
   R3::MeshData& mesh_ = read_.data;
   VertexColors colors_;
   std::unordered_map<std::string, std::uint32_t> numbers_of_materials_;
-  std::vector<R2::Point> uvs_;       // NaN where they are not usable
-  std::vector<R3::Normal> normals_;  // likewise
+  std::vector<R2::Point> uvs_;       // NaN if not usable
+  std::vector<R3::Normal> normals_;  // NaN if not usable
   std::vector<Corner> corners_;
   Faces faces_{mesh_};
   Tally missing_uvs_, missing_normals_, absent_uvs_, absent_normals_;

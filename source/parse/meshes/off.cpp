@@ -9,13 +9,13 @@
 namespace ray {
 namespace {
 
-/// What the header says each vertex holds besides its place: [ST][C][N][4][n]OFF. MeshLab writes the letters in another
-/// order, NCSTOFF, and a vertex's color before its normal.
+/// The data of each vertex in addition to its position, as stated by the header: [ST][C][N][4][n]OFF. MeshLab writes
+/// the letters in another order, NCSTOFF, and a vertex's color before its normal.
 /// Source: the manual of Geomview, OFF files; files of MeshLab 2025.07.
 struct Header {
   bool has_uv = false, has_color = false, has_normal = false;
   bool color_is_first = false;
-  std::optional<Token> vertices;  // their number, where it follows without a blank, as in "OFF8 6 12"
+  std::optional<Token> vertices;  // their number, if it follows without a blank, as in "OFF8 6 12"
 
   std::size_t NumbersOfVertex(std::size_t numbers_of_color) const {
     return 3 + (has_normal ? 3 : 0) + (has_color ? numbers_of_color : 0) + (has_uv ? 2 : 0);
@@ -51,15 +51,15 @@ std::size_t CountIn(const MeshWords& words, const Token& word, const char* what)
   return static_cast<std::size_t>(count);
 }
 
-void CheckPromise(const MeshWords& words, std::size_t count, const char* what, std::size_t least_bytes) {
+void CheckDeclared(const MeshWords& words, std::size_t count, const char* what, std::size_t least_bytes) {
   if (count <= words.BytesLeft() / least_bytes + 1) return;
   words.Fail(words.Last(), "the header declares " + std::to_string(count) + " " + what + ", but only " +
                                BytesThatFollow(words.BytesLeft()));
 }
 
-/// Reads numbers one after the other, however they are spread over lines; only what follows the corners of a face, a
-/// color, ends with its line. Files whose vertices hold more numbers than their header declares are read as well: there
-/// each vertex has a line.
+/// A reader of consecutive numbers, regardless of line ends; only the color after the corners of a face ends with its
+/// line. Files whose vertices have more numbers than their header declares are also read: there each vertex takes a
+/// line.
 class OffReader {
  public:
   OffReader(const Text& file, Report& report) : words_(file, Tokenizer::Comments::hash), report_(report) {}
@@ -70,10 +70,10 @@ class OffReader {
       words_.Fail(*words_.Peek(), "binary .off files are not supported", "save it as text, or as .ply");
     vertices_ = CountIn(words_, header_.vertices ? *header_.vertices : words_.Need({"the number of vertices"}),
                         "the number of vertices");
-    CheckPromise(words_, vertices_, "vertices", 6);  // "0 0 0\n"
+    CheckDeclared(words_, vertices_, "vertices", 6);  // "0 0 0\n"
     faces_ = CountIn(words_, words_.Need({"the number of faces"}), "the number of faces");
-    CheckPromise(words_, faces_, "faces", 2);  // "0\n"
-    PassOverEdges();
+    CheckDeclared(words_, faces_, "faces", 2);  // "0\n"
+    SkipEdges();
     Faces faces(mesh_);
     try {
       ReadVertices();
@@ -89,9 +89,9 @@ class OffReader {
   }
 
  private:
-  /// Their number, which many files get wrong and some leave out, is on the line of the other two or alone on the next.
-  /// Vertices may follow it on its line.
-  void PassOverEdges() {
+  /// Skips the number of edges, which many files get wrong and some omit. It is on the line of the other two or alone
+  /// on the next. Vertices may follow it on its line.
+  void SkipEdges() {
     MeshWords ahead = words_;
     const std::size_t on_line = ahead.SkipLine();
     if (on_line > 0 ? on_line > 3 : ahead.Next() && !ahead.HasMoreOnLine())
@@ -134,7 +134,8 @@ class OffReader {
     mesh_.uvs.push_back(s && t ? R2::Point{*s, *t} : R2::Point{});
   }
 
-  /// Red, green, blue and alpha; some programs leave out alpha, which the first vertex's line tells.
+  /// Determines the numbers per color: red, green, blue and alpha; some programs omit alpha, which the first vertex's
+  /// line shows.
   void CountNumbersOfColor() {
     MeshWords ahead = words_;
     numbers_of_color_ = 3 + ahead.SkipLine() == header_.NumbersOfVertex(3) ? 3 : 4;
@@ -161,7 +162,7 @@ class OffReader {
       corners.clear();
       for (std::int64_t k = 0; k < count; ++k)
         corners.push_back(words_.Index({"a corner", "face", i}, mesh_.positions.size()));
-      PassOverFaceColor();
+      SkipFaceColor();
       if (count < 3 && has_line_each_) words_.Fail(start, "face " + std::to_string(i) + " has fewer than 3 corners");
       if (const char* problem = faces.Add(corners, start)) words_.Fail(start, problem);
     }
@@ -170,8 +171,9 @@ class OffReader {
     faces.Warn(words_.Source(), report_);
   }
 
-  /// An index into a map, or three or four channels. A face that needs a line of its own may stand here instead.
-  void PassOverFaceColor() {
+  /// Skips the color of a face: an index into a map, or three or four channels. A face that requires its own line may
+  /// follow instead.
+  void SkipFaceColor() {
     if (!words_.HasMoreOnLine()) return;
     const Token first = *words_.Peek();
     const std::size_t numbers = words_.SkipLine();
@@ -185,7 +187,7 @@ class OffReader {
     if (has_line_each_) words_.Fail(words_.Last(), message);
     for (const Tally& dropped : {hidden_faces_, long_faces_})
       if (!dropped.IsEmpty())
-        words_.Fail(dropped.First(), message, "what follows a face on its line is taken as a color");
+        words_.Fail(dropped.First(), message, "numbers after a face on its line are read as its color");
     WarnOf(message);
   }
 
@@ -195,8 +197,8 @@ class OffReader {
     WarnOf(message);
   }
 
-  /// Where vertices do not end with their lines, anything odd about faces is an error: their numbers may have been
-  /// taken for others.
+  /// Returns a hint if vertices do not end with their lines: oddities of faces are then errors, because their numbers
+  /// may have been misread.
   std::string HintOfVertices() const {
     if (!has_line_each_) return {};
     return "the header declares " + std::to_string(header_.NumbersOfVertex(numbers_of_color_)) +
@@ -204,10 +206,10 @@ class OffReader {
   }
 
   void Warn() {
-    long_vertices_.Warn(words_.Source(), report_, "vertex has ignored numbers behind those that the header declares",
-                        "vertices have ignored numbers behind those that the header declares");
-    long_faces_.Warn(words_.Source(), report_, "face has ignored numbers behind its corners, more than a color has",
-                     "faces have ignored numbers behind their corners, more than a color has");
+    long_vertices_.Warn(words_.Source(), report_, "vertex has ignored numbers after those that the header declares",
+                        "vertices have ignored numbers after those that the header declares");
+    long_faces_.Warn(words_.Source(), report_, "face has ignored numbers after its corners, more than a color has",
+                     "faces have ignored numbers after their corners, more than a color has");
     WarnOfAbsent(absent_normals_, absent_uvs_, words_.Source(), report_);
     colors_.Warn(words_.Source(), report_);
   }
@@ -218,7 +220,7 @@ class OffReader {
   Header header_;
   std::size_t vertices_ = 0, faces_ = 0;
   std::size_t numbers_of_color_ = 4;
-  std::optional<bool> has_line_each_;  // vertices; known once one of them does not end with its line
+  std::optional<bool> has_line_each_;  // of vertices; known once one of them does not end with its line
   R3::MeshData mesh_;
   VertexColors colors_;
   Tally long_vertices_, long_faces_, hidden_faces_, absent_normals_, absent_uvs_;

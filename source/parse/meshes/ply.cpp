@@ -17,9 +17,10 @@ namespace ray {
 namespace {
 
 constexpr const char* texcoord = "texcoord";
-constexpr std::array<double, 3> unusable_color{-1, -1, -1};  // any with a channel that is negative or NaN
+constexpr std::array<double, 3> unusable_color{-1, -1, -1};  // any color with a negative or NaN channel
 
-/// Makes a mesh of the vertices, faces and triangle strips of a file. Skips all other elements and properties.
+/// A reader that makes a mesh of the vertices, faces and triangle strips of a file. Skips all other elements and
+/// properties.
 class PlyReader {
  public:
   explicit PlyReader(const Text& file) : file_(file) {
@@ -100,7 +101,7 @@ class PlyReader {
     return colors ? colors : FindAll<3>(element, {"r", "g", "b"});
   }
 
-  /// Whole numbers are shares of the greatest of their type.
+  /// Returns a color; integers are shares of the maximum of their type.
   std::array<double, 3> ColorOf(const PlyElement& element, const std::array<std::size_t, 3>& columns,
                                 const PlyRow& row) {
     std::array<double, 3> channels{};
@@ -143,7 +144,7 @@ class PlyReader {
     }
   }
 
-  /// Gives the corners a color, which makes a copy of each vertex that has another color already.
+  /// Gives the corners a color, duplicating each vertex that already has another color.
   void Paint(std::vector<std::uint32_t>& corners, const std::array<double, 3>& color, const Token& where) {
     const bool is_usable = std::ranges::all_of(color, [](double c) { return c >= 0; });
     const auto next = static_cast<std::uint32_t>(numbers_of_colors_.size());
@@ -167,7 +168,7 @@ class PlyReader {
     if (!mesh_.uvs.empty()) mesh_.uvs.push_back(R2::Point(mesh_.uvs[vertex]));
   }
 
-  /// Every three neighbors of a strip are a triangle, every second one turned over; -1 begins another strip.
+  /// Reads strips: every three consecutive vertices are a triangle, every second one flipped; -1 starts another strip.
   void ReadStrips(const PlyElement& element) {
     const PlyColumns columns{.corners = FindIndices(element)};
     PlyRow row;
@@ -186,7 +187,7 @@ class PlyReader {
     }
   }
 
-  // Strips repeat a vertex to turn a corner; those triangles are not meant to be seen.
+  // Strips repeat a vertex to turn a corner; those degenerate triangles are not meant to be visible.
   void AddOfStrip(std::array<std::uint32_t, 3> t, bool is_turned) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
     if (is_turned) std::swap(t[0], t[1]);
@@ -198,8 +199,8 @@ class PlyReader {
     if (const char* problem = faces_.Add(places, names, file_.Last())) file_.Fail(problem);
   }
 
-  /// Gives the indices of the corners. A face may have texture coordinates of its own, as VCGlib writes them: two for
-  /// each corner, or none.
+  /// Returns the indices of the corners. A face may have its own texture coordinates, as written by VCGlib: two per
+  /// corner, or none.
   std::span<const std::uint32_t> AddCorners(std::span<const std::uint32_t> places, std::span<const double> uvs) {
     if (!uvs.empty() && uvs.size() != 2 * places.size())
       file_.Fail("texcoord must have two numbers for each of the " + std::to_string(places.size()) + " corners, got " +
@@ -227,7 +228,7 @@ class PlyReader {
     ray::MakeVertices(mesh_, corners_, faces_.Added(), uvs_, std::exchange(mesh_.normals, {}));
   }
 
-  /// Gives equal texture coordinates one index, so that faces that share them share vertices.
+  /// Gives equal texture coordinates one index, so that faces with the same coordinates share vertices.
   void UniteUvs() {
     const auto less = [](const R2::Point& a, const R2::Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
     std::vector<R2::Point> different = uvs_;
@@ -241,7 +242,7 @@ class PlyReader {
   }
 
   void Skip(const PlyElement& element) {
-    if (element.properties.empty()) return;  // its count is then only a number
+    if (element.properties.empty()) return;  // only its count is present
     PlyRow row;
     for (std::size_t i = 0; i < element.count; ++i) file_.Read(element, i, {}, row);
   }
@@ -276,11 +277,11 @@ class PlyReader {
   Tally absent_normals_, absent_uvs_;
   VertexColors colors_;
   bool has_8_bit_colors_ = false, ignores_face_colors_ = false;
-  // Of faces that have colors where vertices have none:
+  // For files with face colors and no vertex colors:
   std::map<std::array<double, 3>, std::uint32_t> numbers_of_colors_;
   std::unordered_map<std::uint64_t, std::uint32_t> painted_;  // from a vertex and the number of a color
   std::unordered_set<std::uint32_t> is_painted_;
-  // Where faces have texture coordinates of their own, triangles are first made of corners.
+  // If faces have their own texture coordinates, triangles are first made of corners.
   bool has_texcoords_ = false;
   std::vector<Corner> corners_;
   std::vector<R2::Point> uvs_;

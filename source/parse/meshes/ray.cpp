@@ -6,8 +6,8 @@
 namespace ray {
 namespace {
 
-// Commands begin with #, so there are no comments. Only the commands of vertices and faces matter here; the words of
-// the others are passed over one by one, as the course's reader does.
+// Commands begin with #, so there are no comments. Only vertices and faces matter here; the words of other commands are
+// skipped one at a time, as in the course's reader.
 class RayReader {
  public:
   explicit RayReader(const Text& file) : words_(file, Tokenizer::Comments::none) {}
@@ -22,7 +22,7 @@ class RayReader {
       if (word->text == "#shape_polygon") ReadPolygon();
     }
     if (first && !has_command)
-      words_.Fail(*first, "a .ray file holds commands such as #vertex; this one begins with " + Quoted(first->text));
+      words_.Fail(*first, "a .ray file contains commands such as #vertex; this one begins with " + Quoted(first->text));
     faces_.AddVertices();
     faces_.Warn(words_.Source(), report);
     WarnOfAbsent(absent_normals_, absent_uvs_, words_.Source(), report);
@@ -68,7 +68,7 @@ class RayReader {
     ++face_number_;
   }
 
-  /// It would be dropped, and what was counted wrong be drawn.
+  /// Rejects an extra number: ignoring it could display a miscounted face.
   void RefuseNumberBehind(const char* hint) {
     const auto& next = words_.Peek();
     if (!next || next->text[0] == '#') return;

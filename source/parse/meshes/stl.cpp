@@ -10,8 +10,8 @@
 namespace ray {
 namespace {
 
-// Source: 3D Systems, Stereolithography interface specification (1988): 80 bytes of anything, a count, and for each
-// triangle a normal, three corners and two bytes of anything; little-endian.
+// Source: 3D Systems, Stereolithography interface specification (1988): 80 arbitrary bytes, a count, and for each
+// triangle a normal, three corners and two arbitrary bytes; little-endian.
 constexpr std::size_t header_bytes = 80, first_triangle = header_bytes + sizeof(std::uint32_t), triangle_bytes = 50;
 
 void AddTriangle(R3::MeshData& mesh) {
@@ -66,11 +66,11 @@ R3::MeshData ReadBinary(const Text& file, Report& report) {
     Fail(file, declared + ", but the file has " + std::to_string(surplus / triangle_bytes) + " more");
   if (surplus > 0 && triangles == 0) Fail(file, declared + ", but " + Counted(surplus, "byte") + " follow");
   if (surplus > 0)
-    report.Warn(Escaped(file.name), Counted(surplus, "byte") + " behind the last face ignored; " + declared);
+    report.Warn(Escaped(file.name), Counted(surplus, "byte") + " after the last face ignored; " + declared);
   return ReadTriangles(file, triangles);
 }
 
-/// Reads: facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet.
+/// A reader of: facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet.
 class AsciiReader {
  public:
   explicit AsciiReader(const Text& file) : words_(file, Tokenizer::Comments::none) {}
@@ -116,8 +116,8 @@ class AsciiReader {
     if (!IsLast(wanted)) words_.Fail(word, std::string("expected ") + wanted + ", got " + Quoted(word.text));
   }
 
-  /// Whether the last word is this one, in capitals or not. "end solid" counts as "endsolid": then its second word has
-  /// been taken as well.
+  /// Returns true if the last word is this one, in any letter case. "end solid" counts as "endsolid", in which case its
+  /// second word has been read as well.
   bool IsLast(std::string_view wanted) {
     if (IsInAnyCase(words_.Last().text, wanted)) return true;
     if (!wanted.starts_with("end") || !IsInAnyCase(words_.Last().text, "end")) return false;
@@ -141,9 +141,9 @@ bool BeginsWithSolid(std::string_view bytes) {
   return first != std::string_view::npos && BeginsInAnyCase(bytes.substr(first), "solid");
 }
 
-/// Whether a file is text. The two kinds do not say which they are, since binary files may begin with "solid" as well.
-/// One that is as long as its count asks for is binary. Otherwise no text has a NUL byte, but the count of a file of up
-/// to 800 MB has one.
+/// Returns true if the file is text. The two kinds are not marked, since binary files may also begin with "solid". A
+/// file with exactly the length that its count implies is binary. Otherwise text has no NUL byte, but the count of a
+/// binary file of up to 800 MB has one.
 bool IsText(const Text& file) {
   const std::string_view bytes = file.bytes, head = bytes.substr(0, first_triangle);
   if (head.size() < first_triangle) return BeginsWithSolid(bytes);

@@ -70,13 +70,13 @@ std::string_view ForeignHint(std::string_view name) {
 }
 
 std::string SurplusHint(const Command& command) {
-  // The form with an axis is a student's; see the manual's list of dialects.
+  // The form with an axis is used by a student's program; see the manual's list of dialects.
   const char* const axis = command.name == "cylinder" ? "; the axis is y, rotate with 'begin ... end'" : "";
   return "usage: " + command.usage + axis;
 }
 
 std::string ArgumentNames(std::span<const R3::Argument> arguments) {
-  constexpr std::size_t most_named = 24, ends = 3;  // of more, as the corners of a patch, the first and the last
+  constexpr std::size_t most_named = 24, ends = 3;  // of more, as for the corners of a patch, the first and the last
   std::string names;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const bool is_middle = arguments.size() > most_named && i >= ends && i + ends < arguments.size();

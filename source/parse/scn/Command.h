@@ -13,7 +13,7 @@ namespace ray {
 class ScnReader;
 class Statement;
 
-/// A word of the .scn language that begins a statement.
+/// A word of the .scn language that starts a statement.
 struct Command {
   std::string name;
   std::string usage;  // "sphere mat_id cx cy cz radius"
@@ -21,23 +21,23 @@ struct Command {
   std::function<void(ScnReader&, Statement&)> read;
 };
 
-/// One for each line of commands.def, of shapes.def and of lights.def.
+/// Returns one command per line of commands.def, of shapes.def and of lights.def.
 std::span<const Command> Commands();
-/// Null when there is none of that name; letter case counts.
+/// Returns the command with the given name, case-sensitive, or null.
 const Command* FindCommand(std::string_view name);
-/// Sorted.
+/// Returns the sorted names.
 std::span<const std::string_view> CommandNames();
-/// What to say of numbers behind the last one that the command takes.
+/// Returns a hint about extra numbers after the last one that the command takes.
 std::string SurplusHint(const Command& command);
-/// What to write instead of a command of another dialect or a later assignment; empty for any other word.
+/// Returns the replacement for a command of another dialect or a later assignment; empty for any other word.
 std::string_view ForeignHint(std::string_view name);
 
 Command ShapeCommand(const R3::ShapeKind& kind);
 Command LightCommand(const LightKind& kind);
 
-/// " cx cy cz radius"
+/// Returns " cx cy cz radius".
 std::string ArgumentNames(std::span<const R3::Argument> arguments);
-/// The names of a shape's arguments, with " ..." behind what may be repeated.
+/// Returns the names of a shape's arguments, with " ..." after those that may be repeated.
 std::string ArgumentNames(const R3::ShapeKind& kind);
 
 }  // namespace ray

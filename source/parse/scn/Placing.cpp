@@ -34,7 +34,7 @@ R3::Matrix ReadRotation(Statement& statement) {
 constexpr auto first_factor = R3::ArgumentsNamed("s");
 constexpr auto more_factors = R3::ArgumentsNamed("sy", "sz");
 
-/// One factor, or three.
+/// Reads one factor, or three.
 R3::Matrix ReadScaling(Statement& statement) {
   const double x = statement.Coordinates(first_factor).values[0];
   const auto& next = statement.Peek();
@@ -49,7 +49,7 @@ R3::Matrix ReadLookAt(Statement& statement) {
   const R3::Vector eye = VectorOf(read), target = VectorOf(read, 3);
   const auto frame = LookingAt(R3::Point{} + eye, R3::Point{} + target, VectorOf(read, 6));
   if (!frame)
-    statement.Error(read.words[3], "look_at: there must be a way from ex ey ez to tx ty tz, and up must lead off it",
+    statement.Error(read.words[3], "look_at: ex ey ez must differ from tx ty tz, and up must not be along the view",
                     "look_at 0 1 5  0 1 0  0 1 0 stands at (0, 1, 5) and faces (0, 1, 0)");
   return frame.value_or(R3::Matrix{});
 }
@@ -94,7 +94,7 @@ R3::Matrix ReadPlacement(Statement& statement) {
     all = all * placement->read(statement);
   }
   if (statement.IsGood() && !IsFinite(all))
-    statement.Error(statement.CommandWord(), "these words together place the group beyond all numbers");
+    statement.Error(statement.CommandWord(), "the combined transform exceeds the range of a double");
   return all;
 }
 

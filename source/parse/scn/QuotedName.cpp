@@ -19,7 +19,8 @@ constexpr std::array escapes{
     Escape{'r', '\r'},
 };
 
-/// The tokenizer ends words at white space, and may take a # for the beginning of a comment. A 0 is no texture.
+/// Returns true if the name needs quotes: the tokenizer ends words at white space, and may treat a # as the start of a
+/// comment. A 0 means no texture.
 bool NeedsQuotes(const std::string& name) {
   return name.empty() || name == "0" || name.starts_with('"') ||
          std::ranges::any_of(name, [](char c) { return IsSpace(c) || c == '#'; });

@@ -5,20 +5,20 @@
 
 namespace ray {
 
-// Names of files in a .scn file. A name that holds blanks, a # or a line end stands in quotes, as in "my wood.png";
-// within them \" is a quote, \\ a backslash, \n and \r are the line ends of that name in C.
+// Names of files in a .scn file. A name that contains blanks, a # or a line end is quoted, as in "my wood.png"; inside
+// the quotes \" is a quote, \\ a backslash, and \n and \r are line ends as in C.
 
 inline constexpr const char* quoting_rules = "a quoted name ends on its line; \\\" is a quote in it, \\\\ a backslash";
 
-/// A name as a word says it; `problem` is null or what is wrong with the word.
+/// A name given by a word; `problem` is null or what is wrong with the word.
 struct NameOfWord {
   std::string name;
   const char* problem = nullptr;
 };
 
-/// The name that a word of a .scn file means: the word itself unless it begins with a quote.
+/// Returns the name given by a word of a .scn file: the word itself unless it begins with a quote.
 NameOfWord Unquoted(std::string_view word);
-/// The word that means a name: the name itself where a reader would take it whole, otherwise in quotes.
+/// Returns the word for a name: the name itself if a reader would read it completely, otherwise quoted.
 std::string QuotedWhereNeeded(const std::string& name);
 
 }  // namespace ray

@@ -12,20 +12,20 @@ std::size_t BeginOfText(std::string_view bytes) {
   return bytes.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
 }
 
-/// The offset behind the end of the line that `at` is in; lines end with LF, CR LF or CR.
+/// Returns the offset after the end of the line that contains `at`; lines end with LF, CR LF or CR.
 std::size_t NextLine(std::string_view bytes, std::size_t at) {
   while (at < bytes.size() && !EndsLine(bytes[at])) ++at;
   if (at + 1 < bytes.size() && bytes[at] == '\r' && bytes[at + 1] == '\n') ++at;
   return std::min(at + 1, bytes.size());
 }
 
-/// The offset at which the file goes on with another statement, or ends. Statements of other files may come between.
+/// Returns the offset of the file's next statement, or its end. Statements of other files may come between.
 std::size_t EndOf(const ScnPlaces& places, std::uint32_t statement) {
   const ScnPlaces::Statement& own = places.statements[statement];
   const auto behind = places.statements.begin() + static_cast<std::ptrdiff_t>(statement) + 1;
   const auto next = std::find_if(behind, places.statements.end(),
                                  [&](const ScnPlaces::Statement& other) { return other.file == own.file; });
-  // Where the file is read again from its start, this was its last statement.
+  // If the file was read again from its start, this was its last statement.
   if (next != places.statements.end() && next->begin > own.begin) return next->begin;
   return places.files[own.file].text->bytes.size();
 }
@@ -59,7 +59,7 @@ std::optional<std::uint32_t> StatementAt(const ScnPlaces& places, const Location
   for (std::uint32_t line = 1; line < location.line; ++line) at = NextLine(bytes, at);
   for (std::uint32_t column = 1; column < location.column && at < bytes.size(); ++column) {
     ++at;
-    while (at < bytes.size() && (static_cast<unsigned char>(bytes[at]) & 0xC0) == 0x80) ++at;  // the same character
+    while (at < bytes.size() && (static_cast<unsigned char>(bytes[at]) & 0xC0) == 0x80) ++at;  // in the same character
   }
   return StatementAt(places, location.file, at);
 }

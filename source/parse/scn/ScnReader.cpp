@@ -16,7 +16,7 @@
 namespace ray {
 namespace {
 
-// Files that include files twice over may read without end; whichever of these comes first ends it.
+// Files that include files twice may take forever to read; the first of these limits to be reached ends it.
 constexpr std::size_t max_includes = 10'000;
 constexpr std::size_t max_bytes = Files::max_bytes;
 
@@ -32,7 +32,7 @@ Scene ReadScn(const Files& files, const ParseOptions& options, Assets& assets, R
   return ScnReader(files, options, assets, report).Read();
 }
 
-/// Whatever else a file may be called, by these extensions it holds no statements.
+/// Throws for file extensions that cannot contain statements.
 void RefuseOtherLanguage(const FoundFile& file) {
   if (MeshFormatForName(file.shown))
     throw FileError{"cannot include a mesh, " + QuotedPath(file.shown), "'mesh mat_id file' reads it"};
@@ -75,7 +75,7 @@ Scene ScnReader::Read() {
   }
   for (const std::string& name : variables_.Unused())
     report_.Warn(Escaped(top), "'-define " + name + "=...' has no effect: there is no '$" + name + "' in the scene");
-  // Behind the scene files, so that the indices that locations hold stay right.
+  // After the scene files, so that the indices in locations remain valid.
   auto& files = builder_.scene.files;
   files.insert(files.end(), assets_.FilesRead().begin(), assets_.FilesRead().end());
   return builder_.Finish();
@@ -122,7 +122,7 @@ void ScnReader::ReadStatement(Token word) {
   OpenFile& file = Current();
   const Command* command = FindCommand(word.text);
   if (const std::size_t hash = word.text.find('#'); !command && hash != std::string_view::npos) {
-    // A comment glued to a command, as "end#close": other words may be names of files, where it is a letter.
+    // A comment directly after a command, as "end#close": other words may be names of files, where # is a letter.
     command = FindCommand(word.text.substr(0, hash));
     if (command) {
       word.text = word.text.substr(0, hash);
@@ -137,7 +137,7 @@ void ScnReader::ReadStatement(Token word) {
   try {
     command->read(*this, statement);
   } catch (const Statement::Incomplete&) {
-    // What it lacks is among its errors.
+    // The missing argument is among its errors.
   }
   if (options_.places) EndPlace(*command);
   for (SceneError& error : std::move(statement).Errors()) Error(std::move(error));
@@ -150,7 +150,7 @@ void ScnReader::BeginPlace(const Token& word) {
   options_.places->materials.resize(builder_.scene.materials.size(), ScnPlaces::nowhere);
 }
 
-/// What the statement has made is at the end of the scene's lists. A model's materials are from another file.
+/// The results of the statement are at the end of the scene's lists. A model's materials are from another file.
 void ScnReader::EndPlace(const Command& command) {
   ScnPlaces& places = *options_.places;
   const auto statement = static_cast<std::uint32_t>(places.statements.size() - 1);
@@ -159,7 +159,7 @@ void ScnReader::EndPlace(const Command& command) {
   places.lights.resize(builder_.scene.lights.size(), statement);
 }
 
-// One mistake, one report: what follows on the line, and numbers on the next ones, belong to the unknown command.
+// One mistake, one report: the rest of the line, and numbers on the next lines, belong to the unknown command.
 void ScnReader::UnknownCommand(const Token& word) {
   OpenFile& file = Current();
   const bool is_number = !ParseNumber(word.text).problem;
@@ -172,7 +172,7 @@ void ScnReader::UnknownCommand(const Token& word) {
         *file.text, word, "unknown command " + Quoted(word.text),
         word.text.starts_with("//") ? "a comment begins with #" : Suggestion(word.text, CommandNames(), "commands")));
   }
-  if (!is_number) file.tokens.SkipLine(word.line);  // "particle_sink sphere ..." is no sphere
+  if (!is_number) file.tokens.SkipLine(word.line);  // "particle_sink sphere ..." is not a sphere
   while (file.tokens.Peek() && !BeginsStatement(*file.tokens.Peek())) file.tokens.Next();
 }
 

@@ -20,8 +20,9 @@
 
 namespace ray {
 
-/// Reads a scene in the course's .scn language (spring 2008 and 2011; see the manual). Its statements are the table in
-/// Command.h; this class keeps what they share: the files being read, innermost last, and the scene as it grows.
+/// A reader of scenes in the course's .scn language (spring 2008 and 2011; see the manual). Its statements are the
+/// table in Command.h; this class has their shared state: the files being read, innermost last, and the scene under
+/// construction.
 class ScnReader {
  public:
   ScnReader(const Files& files, const ParseOptions& options, Assets& assets, Report& report);
@@ -31,37 +32,38 @@ class ScnReader {
 
   // For commands, while their statement is read:
 
-  /// Reads a material id; gives an index into Scene::materials, or Node::inherit. At the top level of an included file,
-  /// inheriting means the default material and not the enclosing group's: so the course's reader has it.
+  /// Reads a material id; returns an index into Scene::materials, or Node::inherit. At the top level of an included
+  /// file, inheriting means the default material and not the enclosing group's, as in the course's reader.
   int ReadMaterial(Statement& statement);
   Variables& Definitions() { return variables_; }
-  /// Whether that material is the default one here, since no group around gives another.
+  /// Returns true if that material is the default one here, since no enclosing group sets another.
   bool IsDefaultGray(int material) const;
-  /// A material that the file itself has defined, to be added to; null after an error.
+  /// Returns a material that the file itself has defined, to be modified; null after an error.
   Material* ReadOwnMaterial(Statement& statement);
-  /// The material of the file's next id, to be filled in; valid until the next.
+  /// Returns the material of the file's next id, to be filled in; valid until the next call.
   Material& NewMaterial();
   void AddNode(Statement& statement, Node node);
-  /// Warns where no ray can hit it.
+  /// Adds a shape; warns if no ray can hit it.
   void AddShape(Statement& statement, int material, std::shared_ptr<const R3::Shape> shape);
   void OpenGroup(Statement& statement, Node group);
   void CloseGroup(Statement& statement);
-  /// The one that this file opened last and has not closed; null at its top level.
+  /// Returns the group that this file opened last and has not closed; null at its top level.
   Node* InnermostGroup();
-  /// Goes on with another file; the words behind this statement come after its end.
+  /// Continues with another file; the words after this statement follow its end.
   void Include(Statement& statement, const FileWord& named);
-  /// "room.scn:12:3"
+  /// Returns "room.scn:12:3".
   std::string PlaceOf(const Token& word) const { return Place(CurrentFile(), word.line, word.column); }
-  /// Nothing where a scene may make the setting.
+  /// Returns the problem with a setting; std::nullopt if a scene may make it.
   std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) const {
     return options_.problem_of ? options_.problem_of(setting) : std::nullopt;
   }
-  /// Takes note of a camera in the current file. Returns true if the scene has one already that is not of a file which
-  /// this one includes: those are there to be overridden.
+  /// Records a camera in the current file. Returns true if the scene already has one that is not in a file included by
+  /// this one: cameras of included files are meant to be overridden.
   bool ReplacesCamera();
-  /// A remark about the statement.
+  /// Adds a warning about the statement.
   void Warn(const Statement& statement, const std::string& message);
-  /// Calls `read`, a function that reads a file named by the word `name`, and turns its failure into the statement's.
+  /// Calls `read`, a function that reads the file named by the word `name`, and converts its errors to errors of the
+  /// statement.
   void WithFile(Statement& statement, const Token& name, const std::function<void()>& read);
 
   Assets& Library() { return assets_; }
@@ -73,11 +75,11 @@ class ScnReader {
     std::shared_ptr<const Text> text;
     std::string canonical;
     std::uint32_t index;       // into Scene::files
-    std::size_t outer_groups;  // how many open groups belong to the files around this one
+    std::size_t outer_groups;  // number of open groups of the enclosing files
     Tokenizer tokens;
     std::vector<int> materials{};  // own id -> index into Scene::materials
     std::vector<Token> begins{};   // of the groups this file has open
-    Token statement{};             // the last; the include, while another file is open on top
+    Token statement{};             // the last one; the include while an included file is open
     const Command* last_command = nullptr;
   };
 
@@ -88,7 +90,7 @@ class ScnReader {
 
   void Open(const FoundFile& file);
   KnownText TextOf(const FoundFile& file);
-  /// The file as it is edited, or as the disk has it. Throws FileError.
+  /// Returns the edited text of the file, or that on disk. Throws FileError.
   std::string BytesOf(const FoundFile& file) const;
   void CloseFile();
   void ReadStatement(Token word);
@@ -106,11 +108,11 @@ class ScnReader {
   Report& report_;
   Assets& assets_;
   SceneBuilder builder_;
-  std::deque<OpenFile> open_files_;  // a deque: opening a file must not move the one whose statement asked for it
+  std::deque<OpenFile> open_files_;  // a deque, so that opening a file does not move the one with the include
   std::map<std::string, KnownText> texts_;
   std::size_t camera_depth_ = 0;  // number of files open around the last camera
   std::size_t includes_ = 0;
-  std::size_t bytes_ = 0;  // of text read, an included file counted each time
+  std::size_t bytes_ = 0;  // of text read, counting an included file each time
 };
 
 }  // namespace ray

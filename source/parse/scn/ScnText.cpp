@@ -17,9 +17,9 @@
 namespace ray {
 namespace {
 
-/// A vector that rounds to this one when it is made a unit vector, as a mesh does with the normals it reads. A unit
-/// vector itself may not: its length is 1 only within rounding. Multiples of it are rounded in other ways, and about
-/// every third does; the last digits of one that has none are lost.
+/// Returns a vector that rounds to this one when it is normalized, as a mesh does with the normals it reads. A unit
+/// vector itself may not, since its length is 1 only within rounding. Multiples of it round differently, and about
+/// every third works; if none does, the last digits are lost.
 R3::Vector BeforeUnit(const R3::Vector& unit) {
   constexpr int most_tries = 1000;
   for (int scale = 1; scale <= most_tries; ++scale)
@@ -38,8 +38,8 @@ std::string Corner(std::uint32_t index, bool has_uv, bool has_normal) {
   return number + "/" + (has_uv ? number : "") + (has_normal ? "/" + number : "");
 }
 
-/// Flat polygons of so many triangles or fewer are spelled out: what a scene gives corner by corner, not what a program
-/// made. Longer ones would bury the scene.
+/// The maximum number of triangles of flat polygons that are written corner by corner, as by a person rather than a
+/// program. Longer ones would bury the scene.
 constexpr int most_spelled_out = 64;
 
 std::string TextOf(const char* word) { return word; }
@@ -56,8 +56,8 @@ std::string TextOf(const std::vector<double>& numbers) {
   return text;
 }
 
-/// The command that makes this very mesh of its corners, triangle by triangle; null when none does, or where the mesh
-/// that it makes would be another lamp.
+/// Returns the command that makes exactly this mesh from its corners, triangle by triangle. Returns null if no command
+/// does, or if the resulting mesh would be another lamp.
 const char* PolygonCommandOf(const R3::Mesh& mesh, const Material& material) {
   const R3::MeshData& data = mesh.Data();
   const std::size_t corners = data.positions.size();
@@ -83,7 +83,7 @@ class ScnWriter {
     text_ += CameraLine(scene_.camera) + "\n";
     SaySurroundings();
     SayLights();
-    // Materials come first in the file, but whether the default one needs an id is known only after the nodes.
+    // Materials come first in the file, but only the nodes determine whether the default one needs an id.
     const std::string before = std::exchange(text_, {});
     SayNodes();
     const std::string nodes = std::exchange(text_, {});
@@ -95,7 +95,7 @@ class ScnWriter {
  private:
   static constexpr int default_material = 0;
 
-  /// A statement: a command and what it takes.
+  /// Writes a statement: a command and its arguments.
   template <class... Parts>
   void Say(const char* command, const Parts&... parts) {
     text_ += std::string(indentation_, ' ') + command;
@@ -112,7 +112,7 @@ class ScnWriter {
     if (!IsBlack(scene_.ambient)) Say("ambient", scene_.ambient);
     if (scene_.shadow_bias != 0) Say("shadow_bias", scene_.shadow_bias);
     if (!scene_.environment) return;
-    if (const auto name = NameOf(scene_.environment->File(), "the environment is left out")) Say("environment", *name);
+    if (const auto name = NameOf(scene_.environment->File(), "skipping the environment")) Say("environment", *name);
   }
 
   void SayLights() {
@@ -121,7 +121,7 @@ class ScnWriter {
       const R3::Recipe made = light->MadeFrom();
       Say(made.kind, made.arguments);
     }
-    // A scene that names no light would get the default ones: this one gives none.
+    // A scene that names no light would get the default ones; this one emits nothing.
     if (scene_.lights.empty()) Say("dir_light", R2::Color{}, R3::Vector{0, -1, 0});
   }
 
@@ -133,7 +133,7 @@ class ScnWriter {
   void SayMaterial(const Material& m) {
     const int id = materials_said_++;
     const auto texture =
-        m.texture ? NameOf(m.texture->file, "a material is left without its texture") : std::optional<std::string>();
+        m.texture ? NameOf(m.texture->file, "writing a material without its texture") : std::optional<std::string>();
     Say("material", m.ka, m.kd, m.ks, m.kt, m.emission, m.n, m.ir, texture.value_or("0"));
     if (m.kr != m.ks) Say("mirror", id, m.kr);
     if (!IsBlack(m.absorb)) Say("absorb", id, m.absorb);
@@ -147,13 +147,13 @@ class ScnWriter {
     if (m.color) Say("flat_color", id, *m.color);
     if (m.gloss > 0) Say("gloss", id, m.gloss, m.gloss_samples);
     if (m.specular_map)
-      if (const auto map = NameOf(m.specular_map->file, "a material is left without its specular map"))
+      if (const auto map = NameOf(m.specular_map->file, "writing a material without its specular map"))
         Say("specular_map", id, *map);
     if (m.normal_map)
-      if (const auto map = NameOf(m.normal_map->file, "a material is left without its normal map"))
+      if (const auto map = NameOf(m.normal_map->file, "writing a material without its normal map"))
         Say("normal_map", id, *map);
     if (!m.bump) return;
-    if (const auto bump = NameOf(m.bump->file, "a material is left without its bump map"))
+    if (const auto bump = NameOf(m.bump->file, "writing a material without its bump map"))
       Say("bump", id, *bump, m.bump_height);
   }
 
@@ -161,11 +161,11 @@ class ScnWriter {
   struct OpenGroup {
     const Node* group;
     std::size_t next;  // of its children
-    int material;      // that is handed down
+    int material;      // passed on to the children
   };
 
   void SayNodes() {
-    std::vector<OpenGroup> open{{&scene_.root, 0, default_material}};  // no recursion: see Node
+    std::vector<OpenGroup> open{{&scene_.root, 0, default_material}};  // not recursive: see Node
     for (;;) {
       OpenGroup& innermost = open.back();
       if (innermost.next == innermost.group->children.size()) {
@@ -188,7 +188,7 @@ class ScnWriter {
     }
   }
 
-  /// Beyond this, groups within groups would make more white space than text.
+  /// Writes the indentation, limited so that nested groups do not produce more white space than text.
   void Indent(std::size_t depth) {
     constexpr std::size_t deepest = 16;
     indentation_ = 2 * std::min(depth, deepest);
@@ -211,13 +211,13 @@ class ScnWriter {
       return Say(made->kind, id, "\"" + made->text + "\"", made->arguments);
     }
     const auto* mesh = dynamic_cast<const R3::Mesh*>(node.shape.get());
-    assert(mesh);  // what is no mesh is of a kind
+    assert(mesh);  // other shapes are of a kind
     if (const char* const command = PolygonCommandOf(*mesh, material)) return SayPolygon(command, *mesh, id);
     if (IsSaidByTriangles(*mesh, material)) return SayTriangles(*mesh, id);
     if (mesh->Data().is_one_polygon && mesh->Elements() > 1 && !IsBlack(material.emission))
       written_.warnings.emplace_back(
-          "a polygon that emits is written as a mesh: in mode whitted each of its triangles "
-          "is a lamp of its own");
+          "an emissive polygon is written as a mesh: in mode whitted each of its triangles "
+          "is a separate lamp");
     if (mesh->IsSmooth())
       Say("mesh", id, FileOf(*mesh), "smooth");
     else
@@ -232,8 +232,8 @@ class ScnWriter {
     Say(command.c_str(), id, numbers);
   }
 
-  /// Whether a `tri` for each triangle makes the same picture, though they have texture coordinates of their own and
-  /// are lamps of their own.
+  /// Returns true if one `tri` per triangle makes the same image, although they have their own texture coordinates and
+  /// are separate lamps.
   bool IsSaidByTriangles(const R3::Mesh& mesh, const Material& material) const {
     const auto shows_more = [](const SceneSetting& setting) {
       return setting.option == "mode" &&
@@ -251,26 +251,26 @@ class ScnWriter {
     }
   }
 
-  /// The name of the file that the mesh is in, or will be.
+  /// Returns the name of the mesh's file, existing or to be written.
   std::string FileOf(const R3::Mesh& mesh) {
     const auto [place, is_new] = names_of_meshes_.try_emplace(&mesh);
     if (!is_new) return place->second;
     if (!mesh.File().empty())
-      if (const auto name = NameOf(mesh.File(), "the mesh is written again, as a file beside the scene"))
+      if (const auto name = NameOf(mesh.File(), "writing the mesh again, as a file next to the scene"))
         return place->second = *name;
     const std::string name = stem_ + "-" + std::to_string(written_.meshes.size() + 1) + ".obj";
     written_.meshes.push_back({name, ObjText(mesh)});
     return place->second = QuotedWhereNeeded(name);
   }
 
-  /// -1 to inherit.
+  /// Returns the material id; -1 to inherit.
   int IdOf(const Node& node) {
     if (node.material != default_material) return node.material == Node::inherit ? -1 : node.material - 1;
     names_default_ = true;
     return static_cast<int>(scene_.materials.size()) - 1;
   }
 
-  /// How the text names a file. Nothing, and a warning, for what came from no file.
+  /// Returns the name of a file in the text; std::nullopt, with a warning, for data that came from no file.
   std::optional<std::string> NameOf(const std::string& file, const std::string& otherwise) {
     if (file.empty()) {
       written_.warnings.push_back("an image came from no file: " + otherwise);
@@ -288,7 +288,7 @@ class ScnWriter {
   std::string text_;
   std::size_t indentation_ = 0;
   int materials_said_ = 0;
-  bool names_default_ = false;  // outside of it: inheriting would give another
+  bool names_default_ = false;  // outside of a group where inheriting would give another
   std::map<const R3::Mesh*, std::string> names_of_meshes_;
 };
 

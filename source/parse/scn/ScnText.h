@@ -10,24 +10,24 @@
 
 namespace ray {
 
-/// A scene as a .scn file. Read again it is the same scene: every number is the same to the bit, so that pictures are.
-/// Settings of the command line are not in it, only those of Scene::settings.
+/// A scene as a .scn file. Reading it gives the same scene: every number is bit-identical, and therefore images are.
+/// Settings of the command line are not included, only those of Scene::settings.
 struct ScnText {
   struct Mesh {
     std::string name, text;  // a Wavefront OBJ file
   };
 
   std::string text;
-  std::vector<Mesh> meshes;             // that came from no file; the text names them as files beside it
-  std::set<std::string> other_folders;  // where files lie that the text names and that are not below its own folder
-  std::vector<std::string> warnings;    // what the language cannot say
+  std::vector<Mesh> meshes;             // those without a file; the text names them as files next to it
+  std::set<std::string> other_folders;  // folders of files that the text names and that are not below its own folder
+  std::vector<std::string> warnings;    // parts that the language cannot express
 };
 
-///   file   that the text is meant for, absolute and free of links: files of meshes and pictures are named as seen from
-///          its folder, and meshes without a file get names that begin like its own
+///   file   the destination of the text, absolute and without links: mesh and image files are named relative to its
+///          folder, and meshes without a file get names that begin like its own
 ScnText WriteScn(const Scene& scene, const std::filesystem::path& file);
 
-/// A mesh as a Wavefront OBJ file. Read again, smooth if it is smooth, it is the same mesh to the bit.
+/// Returns a mesh as a Wavefront OBJ file. Reading it, with smooth shading if it is smooth, gives a bit-identical mesh.
 std::string ObjText(const R3::Mesh& mesh);
 
 }  // namespace ray

@@ -12,10 +12,10 @@ namespace {
 
 bool IsLetter(char c) { return ((c | 0x20) >= 'a' && (c | 0x20) <= 'z') || c == '_'; }
 
-/// NaN and infinities are meant as numbers, though they look like words.
+/// Returns true for NaN and infinities, which are meant as numbers but look like words.
 bool LooksLikeNumber(std::string_view word) { return word.starts_with("nan") || word.starts_with("inf"); }
 
-/// True if the word would be a formula if it stood in parentheses: "1/2", "$a+1".
+/// Returns true if the word would be a formula in parentheses: "1/2", "$a+1".
 bool IsArithmetic(std::string_view word) {
   const std::size_t behind_signs = word.find_first_not_of("+-");
   if (word.find_first_of("+-*/^(", behind_signs) == std::string_view::npos) return false;
@@ -30,7 +30,7 @@ bool IsArithmetic(std::string_view word) {
 }  // namespace
 
 bool BeginsStatement(const Token& token) {
-  if (!IsLetter(token.text[0])) return false;  // spares most words the search
+  if (!IsLetter(token.text[0])) return false;  // avoids the search for most words
   return FindCommand(token.text) || (token.starts_line && !LooksLikeNumber(token.text));
 }
 
@@ -66,7 +66,7 @@ Arguments Statement::Coordinates(std::span<const R3::Argument> wanted) {
   return read;
 }
 
-// A file may be called like a command, but hardly at the start of a line.
+// A file may have the name of a command, but hardly at the start of a line.
 Token Statement::Word(const char* name) {
   const auto& next = tokens_.Peek();
   if (!next || (next->starts_line && FindCommand(next->text))) {
@@ -114,12 +114,11 @@ std::vector<SceneError> Statement::Errors() && {
 void Statement::Error(const Token& at, std::string message, std::string hint) {
   if (at.is_broken) return;
   if (hint.empty() && message.find(" must be ") != message.npos && IsArithmetic(at.text))
-    hint = "arithmetic stands in parentheses: (" + Escaped(at.text) + ")";
+    hint = "arithmetic needs parentheses: (" + Escaped(at.text) + ")";
   else if (hint.empty() && at.text.starts_with('$'))
-    hint = Variables::IsName(at.text.substr(1))
-               ? "nothing has defined it: 'define " + std::string(at.text.substr(1)) + " 0.5' does, or -define " +
-                     std::string(at.text.substr(1)) + "=0.5"
-               : "names of variables are of a to z, A to Z, 0 to 9 and _";
+    hint = Variables::IsName(at.text.substr(1)) ? "it is not defined: use 'define " + std::string(at.text.substr(1)) +
+                                                      " 0.5', or -define " + std::string(at.text.substr(1)) + "=0.5"
+                                                : "names of variables consist of a to z, A to Z, 0 to 9 and _";
   else if (hint.empty() && !at.variable.empty())
     hint = "that is what " + Escaped(at.variable) + " stands for";
   errors_.push_back(ErrorAt(tokens_.Source(), at, std::move(message), std::move(hint)));

@@ -18,42 +18,42 @@ struct Arguments {
   std::vector<Token> words;
 };
 
-/// The name of a file, and the word that says it.
+/// The name of a file, and its word.
 struct FileWord {
   Token word;
   std::string name;
 };
 
-/// One command while its arguments are read. A wrong argument is noted and reading goes on, so that one run tells all
-/// that is wrong with a line; a missing one ends the command. What a statement with errors leaves in the scene does not
-/// matter: the scene is refused.
+/// One command while its arguments are read. A wrong argument is recorded and reading continues, so that one run
+/// reports all mistakes in a line; a missing one ends the command. The effects of a statement with errors do not
+/// matter, since the scene is rejected.
 class Statement {
  public:
-  /// Thrown when the command ends before its arguments do; the error has been noted.
+  /// Thrown if the command ends before its arguments do; the error has been recorded.
   struct Incomplete {};
 
   Statement(const Command& command, const Token& word, Tokenizer& tokens)
       : command_(command), word_(word), tokens_(tokens), name_(command.name), usage_(command.usage) {}
 
-  /// What lacks from here on is said of this word of the command, and of how that one is used.
-  /// Name and usage must outlive the statement.
+  /// Starts a part of the command: missing arguments are reported with this name and usage, which must outlive the
+  /// statement.
   void BeginPart(std::string_view name, std::string_view usage) { name_ = name, usage_ = usage; }
 
-  /// Reads the arguments that are wanted, all numbers.
+  /// Reads the wanted arguments, all numbers.
   Arguments Numbers(std::span<const R3::Argument> wanted);
-  /// Reads numbers, none of them beyond what coordinates may be.
+  /// Reads numbers within the range of coordinates.
   Arguments Coordinates(std::span<const R3::Argument> wanted);
-  /// The word of an argument that is no number.
+  /// Reads the word of an argument that is not a number.
   Token Word(const char* name);
-  /// The name of a file, which may stand in quotes.
+  /// Reads the name of a file, which may be quoted.
   FileWord FileName(const char* name = "file name");
-  /// The word that comes next, without taking it.
+  /// Returns the next word without consuming it.
   const std::optional<Token>& Peek() { return tokens_.Peek(); }
-  /// The words that are left on the line.
+  /// Returns the remaining words of the line.
   std::vector<Token> RestOfLine();
-  /// Whether the next word is this one, which is then taken.
+  /// Returns true if the next word is this one, and consumes it.
   bool Takes(std::string_view word);
-  /// The next word if it is, or was meant as, a number, which then is taken; no statement begins with one.
+  /// Returns and consumes the next word if it is, or was meant as, a number; no statement begins with one.
   std::optional<Token> TakesNumber();
 
   void Error(const Token& at, std::string message, std::string hint = {});
@@ -71,7 +71,7 @@ class Statement {
   std::vector<SceneError> errors_;
 };
 
-/// Whether a word can only be the beginning of the next statement: a command, or a word that starts a line like one.
+/// Returns true if a word can only start the next statement: a command, or a word that starts a line like one.
 bool BeginsStatement(const Token& token);
 
 }  // namespace ray

@@ -23,7 +23,7 @@ void CheckView(Statement& statement, const Arguments& read) {
                     "half the horizontal field of view, in radians");
 }
 
-/// An eye, a direction and half an angle in radians, as in the course.
+/// Reads an eye, a direction and half an angle in radians, as in the course.
 std::optional<AimedCamera> ReadDirected(Statement& statement) {
   const Arguments read = statement.Numbers(camera_arguments);
   if (statement.IsGood()) CheckView(statement, read);
@@ -39,7 +39,7 @@ std::optional<AimedCamera> ReadDirected(Statement& statement) {
 constexpr std::string_view look_at_usage = "camera look_at ex ey ez tx ty tz ux uy uz fov";
 constexpr auto whole_angle = R3::ArgumentsNamed("fov");
 
-/// An extension: an eye, a point to look at and a whole angle in degrees.
+/// Reads an extension: an eye, a target and a whole angle in degrees.
 std::optional<AimedCamera> ReadLookingAt(Statement& statement) {
   statement.BeginPart("camera look_at", look_at_usage);
   const Arguments read = statement.Coordinates(look_at_arguments), angle = statement.Numbers(whole_angle);
@@ -47,7 +47,7 @@ std::optional<AimedCamera> ReadLookingAt(Statement& statement) {
   if (!statement.IsGood()) return {};
   const auto& a = read.values;
   const R3::Point eye{a[0], a[1], a[2]}, target{a[3], a[4], a[5]};
-  if (eye == target) statement.Error(read.words[3], "the camera must not stand at the point that it looks at");
+  if (eye == target) statement.Error(read.words[3], "the camera must not be at the point that it looks at");
   if (!(fov > 0 && fov < 180))
     statement.Error(angle.words[0], "fov must be between 0 and 180, got " + Escaped(angle.words[0].text),
                     "the whole horizontal field of view, in degrees");
@@ -58,7 +58,7 @@ std::optional<AimedCamera> ReadLookingAt(Statement& statement) {
 }
 
 void ReadCamera(ScnReader& reader, Statement& statement) {
-  if (reader.ReplacesCamera()) reader.Warn(statement, "the scene has a camera already; the last one counts");
+  if (reader.ReplacesCamera()) reader.Warn(statement, "the scene already has a camera; the last one counts");
   auto aimed = statement.Takes("look_at") ? ReadLookingAt(statement) : ReadDirected(statement);
   if (!aimed) return;
   if (aimed->up_was_replaced)
@@ -69,7 +69,7 @@ void ReadCamera(ScnReader& reader, Statement& statement) {
 
 const std::array<R3::Argument, 3> view_arguments{{{"aspect", false}, {"shift_x"}, {"shift_y"}}};
 
-/// An extension: a picture that is not what square pixels around the axis make it.
+/// Reads an extension: a view other than a centered one with square pixels.
 void ReadView(ScnReader& reader, Statement& statement) {
   const auto a = statement.Numbers(view_arguments).values;
   const bool is_mirrored = statement.Takes("mirrored");
@@ -80,7 +80,7 @@ void ReadView(ScnReader& reader, Statement& statement) {
   if (camera.IsMirrored() != is_mirrored) camera.right = -camera.right;
 }
 
-/// An extension: how the camera's picture is laid out, and how much of the scene it shows across.
+/// Reads an extension: the camera's projection, and its horizontal extent.
 void ReadProjection(ScnReader& reader, Statement& statement) {
   const Token name = statement.Word("name");
   const CameraKind* kind = FindCameraKind(name.text);
@@ -104,11 +104,11 @@ void ReadProjection(ScnReader& reader, Statement& statement) {
   camera.extent = extent;
 }
 
-/// "fisheye, a circle...; latlong, ..."
+/// Returns "fisheye, a circle...; latlong, ...".
 std::string About() {
   std::string about =
-      "how the camera's image is laid out; the number is the whole angle across in degrees, or of orthographic the "
-      "width, and without it the camera's angle decides";
+      "the camera's projection; the number is the whole horizontal angle in degrees, or for orthographic the width; by "
+      "default the camera's angle decides";
   for (const CameraKind* kind : CameraKinds()) about += std::string("; ") + kind->name + ": " + kind->about;
   return about;
 }
@@ -124,8 +124,8 @@ extern const Command camera_command{
 
 extern const Command view_command{
     "view", "view" + ArgumentNames(view_arguments) + " [mirrored]",
-    "width over height of what the camera sees, 0 for that of the image; how far the middle of the image is off "
-    "the axis, to the right and up, in half widths; whether left and right change places",
+    "width over height of the view, 0 for that of the image; offset of the image's center from the axis, to the right "
+    "and up, in half widths; mirrored swaps left and right",
     ReadView};
 
 extern const Command projection_command{"projection", "projection name [degrees|width]", About(), ReadProjection};

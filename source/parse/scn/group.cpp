@@ -39,12 +39,12 @@ void WarnOfCondition(ScnReader& reader, const Statement& statement, const R3::Ma
     reader.Warn(statement, "nearly singular matrix: precision may suffer");
 }
 
-/// A word in the place of a matrix that can be no other statement.
+/// Returns true for a word in the place of a matrix that cannot start a statement.
 bool IsWordForMatrix(const std::optional<Token>& next) {
   return next && !BeginsStatement(*next) && ParseNumber(next->text).problem && !SaysNanOrInfinity(next->text);
 }
 
-/// Reads 16 numbers, as in the course; or words, an extension, of which there may be none.
+/// Reads 16 numbers, as in the course; or any number of placement words, an extension.
 R3::Matrix ReadMatrix(Statement& statement) {
   const std::optional<Token>& next = statement.Peek();
   if (BeginsPlacement(statement) || !next || BeginsStatement(*next)) return ReadPlacement(statement);
@@ -57,7 +57,7 @@ R3::Matrix ReadMatrix(Statement& statement) {
   return MatrixOf(read.values);
 }
 
-// The group is opened whatever is wrong with its numbers, so that its end finds it.
+// The group is opened despite mistakes in its numbers, so that its end finds it.
 void ReadBegin(ScnReader& reader, Statement& statement) {
   Node group;
   try {
@@ -75,7 +75,7 @@ void ReadEnd(ScnReader& reader, Statement& statement) { reader.CloseGroup(statem
 
 constexpr auto way = R3::ArgumentsNamed("dx", "dy", "dz");
 
-/// An extension: how far the enclosing group moves while the shutter is open, in its parent's coordinates.
+/// Reads an extension: the displacement of the enclosing group while the shutter is open, in its parent's coordinates.
 void ReadMotion(ScnReader& reader, Statement& statement) {
   const Arguments read = statement.Numbers(way);
   Node* group = reader.InnermostGroup();
@@ -95,7 +95,8 @@ R3::CsgOperation ReadOperation(Statement& statement) {
   return {};
 }
 
-/// An extension. What is inside it up to its end is combined; it is opened whatever is wrong, so that its end finds it.
+/// Reads an extension: a csg, which combines its contents up to its end. It is opened despite mistakes, so that its end
+/// finds it.
 void ReadCsg(ScnReader& reader, Statement& statement) {
   Node csg;
   csg.operation = R3::CsgOperation::unite;
@@ -114,7 +115,7 @@ void ReadCsg(ScnReader& reader, Statement& statement) {
 }  // namespace
 
 extern const Command motion_command{"motion", "motion dx dy dz",
-                                    "how far the enclosing group moves while the shutter is open", ReadMotion};
+                                    "displacement of the enclosing group while the shutter is open", ReadMotion};
 extern const Command begin_command{
     "begin", "begin mat_id m00 m01 m02 m03 m10 ... m33, or begin mat_id translate x y z ...",
     "opens a group with a material and a 4x4 matrix, row by row, or any number of " + UsageOfPlacements(), ReadBegin};

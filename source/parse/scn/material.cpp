@@ -21,7 +21,8 @@ void SetNumbers(Material& material, const std::vector<double>& a) {
 }
 
 void ReadMaterial(ScnReader& reader, Statement& statement) {
-  // First of all, so that one with mistakes has its id too, and no error is reported again wherever the id is used.
+  // Reserved first, so that a material with mistakes also has its id, and no further error is reported where the id is
+  // used.
   Material& material = reader.NewMaterial();
   SetNumbers(material, statement.Numbers(material_arguments).values);
   const FileWord texture = statement.FileName("texture");
@@ -43,7 +44,7 @@ void ReadColorOfMaterial(ScnReader& reader, Statement& statement) {
 
 constexpr auto priority_argument = R3::ArgumentsNamed("priority");
 
-/// An extension: which of overlapping solids fills the place.
+/// Reads an extension: the priority of a material where solids overlap.
 void ReadPriority(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
   const Arguments priority = statement.Numbers(priority_argument);
@@ -54,14 +55,14 @@ void ReadPriority(ScnReader& reader, Statement& statement) {
                            "priority must be a whole number from -" + std::to_string(Material::most_priority) + " to " +
                                std::to_string(Material::most_priority) + ", got " + Escaped(priority.words[0].text));
   if (material->priority != 0 && material->priority != value)
-    reader.Warn(statement, "the material has the priority " + std::to_string(material->priority) +
-                               " already; the last one counts");
+    reader.Warn(statement, "the material already has the priority " + std::to_string(material->priority) +
+                               "; the last one counts");
   material->priority = static_cast<int>(value);
 }
 
 constexpr auto coat_index = R3::ArgumentsNamed("ir");
 
-/// An extension: a clear coat over what is diffuse.
+/// Reads an extension: a clear coat over the diffuse layer.
 void ReadCoat(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
   const Arguments index = statement.Numbers(coat_index);
@@ -71,7 +72,7 @@ void ReadCoat(ScnReader& reader, Statement& statement) {
   material->coat = index.values[0];
 }
 
-/// Reads an extension that says something of a material by its name alone, as that its surfaces have no back.
+/// Reads an extension that sets a property of a material by its name alone, such as one_sided.
 template <auto member>
 void ReadSwitchOfMaterial(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
@@ -80,7 +81,7 @@ void ReadSwitchOfMaterial(ScnReader& reader, Statement& statement) {
 
 constexpr auto repetitions = R3::ArgumentsNamed("su", "sv");
 
-/// An extension: how often images repeat where texture coordinates run from 0 to 1.
+/// Reads an extension: the number of repetitions of images over texture coordinates from 0 to 1.
 void ReadTextureScale(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
   const Arguments scale = statement.Coordinates(repetitions);
@@ -93,7 +94,7 @@ void ReadTextureScale(ScnReader& reader, Statement& statement) {
 
 constexpr auto height = R3::ArgumentsNamed("height");
 
-/// An extension: the luminance of a picture, times a height, is how far the surface seems to rise.
+/// Reads an extension: the luminance of an image, times a height, is the apparent elevation of the surface.
 void ReadBump(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
   const FileWord file = statement.FileName();
@@ -105,7 +106,7 @@ void ReadBump(ScnReader& reader, Statement& statement) {
   if (most == 0) material->bump = nullptr;  // flat
 }
 
-/// Reads an extension that gives a material one image more.
+/// Reads an extension that gives a material one more image.
 template <auto member, Assets::Use use>
 void ReadMapOfMaterial(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
@@ -117,7 +118,7 @@ void ReadMapOfMaterial(ScnReader& reader, Statement& statement) {
 
 constexpr auto gloss_arguments = R3::ArgumentsNamed("exponent", "samples");
 
-/// An extension: reflections that are blurred whatever the settings.
+/// Reads an extension: reflections that are blurred regardless of the settings.
 void ReadGloss(ScnReader& reader, Statement& statement) {
   Material* material = reader.ReadOwnMaterial(statement);
   const Arguments gloss = statement.Numbers(gloss_arguments);
@@ -144,10 +145,11 @@ extern const Command specular_map_command{"specular_map", "specular_map mat_id f
                                           ReadMapOfMaterial<&Material::specular_map, Assets::Use::color>};
 extern const Command gloss_command{
     "gloss", "gloss mat_id exponent samples",
-    "blurs reflections over a Phong lobe of that exponent, in mode whitted by so many rays each", ReadGloss};
+    "blurs reflections over a Phong lobe of that exponent; samples are the rays per reflection in mode whitted",
+    ReadGloss};
 extern const Command bump_command{"bump", "bump mat_id file height", "bump map: the luminance of an image times height",
                                   ReadBump};
-extern const Command mirror_command{"mirror", "mirror mat_id r g b", "weight of the mirrored ray, where it is not ks",
+extern const Command mirror_command{"mirror", "mirror mat_id r g b", "weight of the mirrored ray, if it is not ks",
                                     ReadColorOfMaterial<&Material::kr>};
 extern const Command absorb_command{"absorb", "absorb mat_id r g b",
                                     "absorption in closed solids: light is scaled by exp(-r d), exp(-g d), exp(-b d) "
@@ -160,28 +162,29 @@ extern const Command priority_command{"priority", "priority mat_id n",
                                       ReadPriority};
 extern const Command coat_command{
     "coat", "coat mat_id ir",
-    "a clear coat of that index of refraction over what is diffuse: it mirrors more towards grazing angles", ReadCoat};
+    "a clear coat with that index of refraction over the diffuse layer; it reflects more towards grazing angles",
+    ReadCoat};
 extern const Command flat_color_command{
     "flat_color", "flat_color mat_id r g b",
-    "what mode flat shows, times the texture; by default kd (times the texture), the mirror's weight and kt together",
+    "color in mode flat, times the texture; by default kd (times the texture), the mirror's weight and kt together",
     ReadColorOfMaterial<&Material::color>};
 extern const Command texture_ambient_command{"texture_ambient", "texture_ambient mat_id",
                                              "the material's texture multiplies ka as well as kd",
                                              ReadSwitchOfMaterial<&Material::texture_multiplies_ka>};
 extern const Command texture_scale_command{
     "texture_scale", "texture_scale mat_id su sv",
-    "all images of the material repeat so often where u and v run from 0 to 1 (default 1 1)", ReadTextureScale};
+    "repetitions of all images of the material where u and v run from 0 to 1 (default 1 1)", ReadTextureScale};
 extern const Command texture_project_command{
     "texture_project", "texture_project mat_id",
-    "images lie over polygons and meshes without texture coordinates, from the side each triangle faces most, once per "
-    "unit of length",
+    "images are projected onto polygons and meshes without texture coordinates, from the side each triangle faces "
+    "most, once per unit of length",
     ReadSwitchOfMaterial<&Material::projects_textures>};
 extern const Command vertex_colors_command{
     "vertex_colors", "vertex_colors mat_id",
     "the colors that a mesh gives to its vertices multiply kd, and ka with 'texture_ambient'",
     ReadSwitchOfMaterial<&Material::has_vertex_colors>};
 extern const Command one_sided_command{"one_sided", "one_sided mat_id",
-                                       "surfaces are there only for rays that arrive at their front; all others pass",
+                                       "surfaces exist only for rays that arrive at their front; others pass through",
                                        ReadSwitchOfMaterial<&Material::one_sided>};
 extern const Command material_command{
     "material", "material" + ArgumentNames(material_arguments) + " texture",

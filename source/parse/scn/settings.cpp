@@ -3,13 +3,13 @@
 namespace ray {
 namespace {
 
-/// How images are decoded decides itself as they are read, so a scene must say so before.
+/// Images are decoded as they are read, so this setting must come before them.
 void DecodeSrgb(ScnReader& reader, Statement& statement) {
   if (!reader.Library().DecodeSrgb())
     statement.Error(statement.CommandWord(), "'set srgb' must come before the first image or mesh of the scene");
 }
 
-/// An extension: a setting for this scene, which command lines override.
+/// Reads an extension: a setting for this scene, which command lines override.
 void ReadSet(ScnReader& reader, Statement& statement) {
   const Token option = statement.Word("option");
   std::string value;
@@ -21,15 +21,15 @@ void ReadSet(ScnReader& reader, Statement& statement) {
   reader.Builder().scene.settings.push_back(std::move(setting));
 }
 
-/// An extension: what $name stands for where the command line, or an including file, has not said so before.
+/// Reads an extension: the value of $name, unless the command line or an including file has defined it before.
 void ReadDefine(ScnReader& reader, Statement& statement) {
   const Token name = statement.Word("name");
   const Token value = statement.Word("value");
   if (!Variables::IsName(name.text))
-    return statement.Error(name, "a name is of letters, digits and _, got " + Quoted(name.text),
+    return statement.Error(name, "a name consists of letters, digits and _, got " + Quoted(name.text),
                            "'define t 0.5', then '$t'");
   reader.Definitions().Define(name.text, value.text);
-  reader.Definitions().Find(name.text);  // a value that the command line takes over is of use
+  reader.Definitions().Find(name.text);  // marks a value of the command line as used
 }
 
 void ReadInclude(ScnReader& reader, Statement& statement) { reader.Include(statement, statement.FileName()); }
@@ -44,11 +44,11 @@ extern const Command set_command{
 
 extern const Command define_command{
     "define", "define name value",
-    "what $name stands for in all that follows, a number or a word, unless -define name=value or an earlier line says "
+    "the value of $name from here on, a number or a word, unless -define name=value or an earlier line says "
     "otherwise",
     ReadDefine};
 
 extern const Command include_command{"include", "include file",
-                                     "the contents of another file, which has material ids of its own", ReadInclude};
+                                     "the contents of another file, which has its own material ids", ReadInclude};
 
 }  // namespace ray

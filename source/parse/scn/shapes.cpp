@@ -15,7 +15,7 @@
 namespace ray {
 namespace {
 
-/// What may be repeated is, up to the next statement.
+/// Reads arguments; those that may be repeated, up to the next statement.
 Arguments ReadArguments(const R3::ShapeKind& kind, Statement& statement) {
   Arguments all = statement.Coordinates(kind.arguments);
   const auto again = std::span(kind.arguments).last(kind.repeated);
@@ -38,7 +38,7 @@ void ReadShape(const R3::ShapeKind& kind, ScnReader& reader, Statement& statemen
   }
 }
 
-/// "smooth", "smooth 30" or neither.
+/// Reads "smooth", "smooth 30" or neither.
 Assets::Shading ReadShading(Statement& statement) {
   using Normals = Assets::Shading::Normals;
   if (!statement.Takes("smooth")) return {Normals::of_triangles};
@@ -50,7 +50,7 @@ Assets::Shading ReadShading(Statement& statement) {
   return {Normals::by_angle, degrees};
 }
 
-/// With the materials of the file for what it gives some to.
+/// Reads a model with the materials of its file for the parts that have some.
 void ReadModel(ScnReader& reader, Statement& statement, int material, const FileWord& file,
                const Assets::Shading& shading) {
   std::shared_ptr<const Assets::Model> model;
@@ -70,12 +70,12 @@ void ReadMesh(ScnReader& reader, Statement& statement) {
   reader.WithFile(statement, file.word, [&] {
     const auto boxed = reader.Library().Mesh(file.name, reader.CurrentFile(), shading);
     node.shape = boxed.mesh;
-    node.bounds = boxed.bounds;  // not SetBounds, which would walk over all triangles again at each use
+    node.bounds = boxed.bounds;  // not SetBounds, which would visit all triangles at each use
     has_look = boxed.has_look;
   });
   if (!node.shape || !statement.IsGood()) return;
   if (has_look && reader.IsDefaultGray(node.material))
-    reader.Warn(statement, "the mesh is gray; 'materials' behind its name shows those of its file");
+    reader.Warn(statement, "the mesh is gray; 'materials' after its name uses those of its file");
   reader.AddNode(statement, std::move(node));
 }
 
@@ -96,7 +96,7 @@ constexpr std::size_t most_corners = R3::max_concave_corners;
 
 constexpr auto corner_count = R3::ArgumentsNamed("n");
 
-/// So many corners, three numbers each; none after a mistake.
+/// Reads `count` corners, three numbers each; empty after a mistake.
 std::vector<R3::Point> ReadCorners(Statement& statement, std::size_t count) {
   std::vector<R3::Argument> names;
   for (std::size_t i = 0; i < count; ++i) names.insert(names.end(), {{"x"}, {"y"}, {"z"}});
@@ -108,7 +108,7 @@ std::vector<R3::Point> ReadCorners(Statement& statement, std::size_t count) {
   return corners;
 }
 
-/// Triangles of the corners' own, which face where the corners are counter-clockwise.
+/// Adds a flat polygon as triangles of its own corners; its front is where they are counter-clockwise.
 void AddFlat(ScnReader& reader, Statement& statement, int material, const std::vector<R3::Point>& corners,
              std::vector<R2::Point> uvs) {
   if (const char* const fault = R3::FaultOfPolygon(corners))
@@ -122,20 +122,20 @@ void AddFlat(ScnReader& reader, Statement& statement, int material, const std::v
   reader.AddShape(statement, material, std::make_unique<const R3::Mesh>(std::move(data)));
 }
 
-/// An extension: two triangles, their texture from corner to corner.
+/// Reads an extension: two triangles, with a texture from corner to corner.
 void ReadQuad(ScnReader& reader, Statement& statement) {
   const int material = reader.ReadMaterial(statement);
   const std::vector<R3::Point> corners = ReadCorners(statement, 4);
   if (statement.IsGood()) AddFlat(reader, statement, material, corners, R3::QuadUvs());
 }
 
-/// An extension: as many triangles as it takes.
+/// Reads an extension: a polygon of as many triangles as necessary.
 void ReadPolygon(ScnReader& reader, Statement& statement) {
   const int material = reader.ReadMaterial(statement);
   const Arguments read = statement.Numbers(corner_count);
   const double n = read.values[0];
   if (!(n >= 3 && n <= most_corners && n == std::floor(n))) {
-    statement.RestOfLine();  // corners of which nobody knows how many they should be
+    statement.RestOfLine();  // an unknown number of corners
     return statement.Error(read.words[0], "n must be a whole number of corners from 3 to " +
                                               std::to_string(most_corners) + ", got " + Escaped(read.words[0].text));
   }
@@ -145,7 +145,7 @@ void ReadPolygon(ScnReader& reader, Statement& statement) {
 
 constexpr auto box_corners = R3::ArgumentsNamed("x", "y", "z", "X", "Y", "Z");
 
-/// What is between the quotes, if there are any.
+/// Returns the text between the quotes, if there are any.
 Token InnerOf(Token word) {
   if (word.text.size() < 2 || word.text.front() != '"' || word.text.back() != '"') return word;
   word.text = word.text.substr(1, word.text.size() - 2);
@@ -153,7 +153,7 @@ Token InnerOf(Token word) {
   return word;
 }
 
-/// Nothing after a mistake, which is pointed at.
+/// Reads a formula; std::nullopt after a mistake, which is reported at its position.
 std::optional<R3::Expression> ReadFormula(Statement& statement) {
   const Token text = InnerOf(statement.Word("formula"));
   try {
@@ -161,13 +161,13 @@ std::optional<R3::Expression> ReadFormula(Statement& statement) {
   } catch (const R3::ExpressionError& error) {
     Token part = text;
     part.text = text.text.substr(std::min(error.at, text.text.size()), error.length);
-    part.column += error.at;  // what is before it is ASCII
+    part.column += error.at;  // the text before it is ASCII
     statement.Error(part, error.what(), error.hint);
     return {};
   }
 }
 
-/// An extension: where a formula of x, y and z is not above 0, within a box.
+/// Reads an extension: the solid where a formula of x, y and z is not above 0, within a box.
 void ReadImplicit(ScnReader& reader, Statement& statement) {
   const int material = reader.ReadMaterial(statement);
   auto formula = ReadFormula(statement);
@@ -199,10 +199,9 @@ Command ShapeCommand(const R3::ShapeKind& kind) {
 
 extern const Command mesh_command{"mesh", "mesh mat_id file [smooth [degrees]] [materials]",
                                   "the triangles of a file, flat-shaded; smooth with the file's vertex normals or "
-                                  "smoothing groups, or with normals made "
-                                  "of triangles that differ by up to so many degrees; with the file's own materials "
-                                  "and vertex colors, mat_id for the "
-                                  "rest",
+                                  "smoothing groups, or with normals averaged over triangles that differ by up to "
+                                  "that many degrees; with the file's own materials and vertex colors, mat_id for "
+                                  "the rest",
                                   ReadMesh};
 extern const Command line_command{"line", "line mat_id" + ArgumentNames(line_arguments),
                                   "a line segment that the viewer draws and no ray hits", ReadLine};

@@ -17,12 +17,12 @@ void ReadAmbient(ScnReader& reader, Statement& statement) { ReadColor(reader, st
 
 constexpr auto distance = R3::ArgumentsFromZero("distance");
 
-/// An extension: some courses' pictures were made with one.
+/// Reads an extension: some courses' images were made with a bias.
 void ReadShadowBias(ScnReader& reader, Statement& statement) {
   reader.Builder().scene.shadow_bias = statement.Numbers(distance).values[0];
 }
 
-/// An extension: the course names environments on the command line only.
+/// Reads an extension: the course names environments on the command line only.
 void ReadEnvironment(ScnReader& reader, Statement& statement) {
   const FileWord file = statement.FileName();
   reader.WithFile(statement, file.word, [&] {
@@ -38,7 +38,7 @@ extern const Command ambient_command{"ambient", "ambient r g b", "ambient light,
                                      ReadAmbient};
 extern const Command shadow_bias_command{
     "shadow_bias", "shadow_bias distance",
-    "the least distance of what shadow rays and reflections can hit (default 0: rays start off their surface anyway)",
+    "minimum distance of hits of shadow rays and reflections (default 0: rays start off their surface anyway)",
     ReadShadowBias};
 extern const Command environment_command{
     "environment", "environment file",

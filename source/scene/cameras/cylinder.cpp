@@ -6,8 +6,8 @@
 namespace ray {
 namespace {
 
-/// A picture on an upright cylinder around the eye: columns are angles, rows are heights on it, in perspective. Pixels
-/// of the middle row are as high as wide.
+/// Projects onto an upright cylinder around the eye: columns are angles, rows are heights on it, in perspective. Pixels
+/// of the middle row are square.
 std::optional<SightLine> CylinderSight(const Camera& camera, const R2::Vector& place) {
   constexpr double radians_of_half_a_degree = std::numbers::pi / 360;
   const double extent = camera.Extent();

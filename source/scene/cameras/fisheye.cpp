@@ -6,8 +6,8 @@
 namespace ray {
 namespace {
 
-/// Equidistant: angles from the axis are as distances from the middle of the picture. The circle is as wide as the
-/// picture; around it nothing is seen.
+/// Projects equidistantly: angles from the axis are proportional to distances from the image's center. The circle is as
+/// wide as the image; nothing is visible around it.
 ///   source   Bourke, Computer generated angular fisheye projections (2001)
 std::optional<SightLine> FisheyeSight(const Camera& camera, const R2::Vector& place) {
   const double radius = std::sqrt(place.x * place.x + place.y * place.y);

@@ -6,8 +6,8 @@
 namespace ray {
 namespace {
 
-/// Columns are longitudes, rows latitudes, the axis in the middle, as environment maps have them: of one this makes the
-/// map again. Beyond the poles, where a shifted picture gets to, nothing is seen.
+/// Projects to longitudes (columns) and latitudes (rows) with the axis in the middle, as in environment maps: rendering
+/// such a map reproduces it. Nothing is visible beyond the poles, which a shifted image can reach.
 std::optional<SightLine> LatlongSight(const Camera& camera, const R2::Vector& place) {
   const double latitude = place.y / 2, longitude = place.x / 2;  // turns
   if (!(std::abs(latitude) <= 0.25)) return {};

@@ -9,7 +9,7 @@
 #include "R3/ShapeKind.h"
 #include "source/scene/LightBound.h"
 
-/// What lights of several kinds have in common.
+/// Functions shared by several kinds of light.
 namespace ray {
 
 using ArgumentList = std::vector<R3::Argument>;
@@ -31,18 +31,18 @@ inline R2::Color ColorAt(std::span<const double> a, std::size_t first) {
 inline R3::Point PlaceAt(std::span<const double> a, std::size_t first) {
   return {a[first], a[first + 1], a[first + 2]};
 }
-/// Throws R3::ArgumentError if it is 0 0 0.
+/// Returns the direction in three arguments; throws R3::ArgumentError if it is 0 0 0.
 inline R3::Vector DirectionAt(std::span<const double> a, std::size_t first) {
   const R3::Vector direction{a[first], a[first + 1], a[first + 2]};
   if (direction == R3::Vector{}) throw R3::ArgumentError(first, "the light's direction must not be 0 0 0");
   return direction;
 }
 
-/// How a light's strength lessens with distance: 1 / (constant + linear d + quadratic d^2).
+/// The attenuation of a light with distance: 1 / (constant + linear d + quadratic d^2).
 struct Falloff {
   double constant = 1, linear = 0, quadratic = 0;
 
-  /// Undivided where the sum is 0, as all three numbers 0 ask for.
+  /// Returns the attenuated color; unchanged if the sum is 0, which three zeros mean.
   R2::Color operator()(const R2::Color& color, double distance) const {
     const double sum = constant + linear * distance + quadratic * distance * distance;
     return sum > 0 ? color / sum : color;

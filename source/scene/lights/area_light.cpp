@@ -31,8 +31,8 @@ class AreaLight : public Light {
 
   void IlluminateEach(LightSamples& samples) const override { ReachEach(samples); }
 
-  /// Compares p with the plane of the disc. The cosine of a place differs from what the plane says by the rounding of
-  /// ToPlace and Cosine, some ten operations on terms that are no larger than these.
+  /// Compares p with the plane of the disc. The cosine at a point differs from that of the plane by the rounding of
+  /// ToPlace and Cosine, some ten operations on terms no larger than these.
   bool MayShineOn(const R3::Point& p) const override {
     const double ahead = Dot(direction_, p - center_);
     const double rounding = R3::Gamma(16) * (Sum(center_) + Sum(p) + 4 * radius_);
@@ -54,7 +54,7 @@ class AreaLight : public Light {
 
  private:
   static double Sum(const R3::Point& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z); }
-  // Compiled for each instruction set, which a virtual function cannot be.
+  // Compiled for each instruction set, which is not possible for a virtual function.
   R3_VECTORIZED void ReachEach(LightSamples& samples) const {
     const std::uint32_t count = samples.count;
     R1::Columns<R2::Point> on_disc;
@@ -66,11 +66,11 @@ class AreaLight : public Light {
       samples.Set(i, to_light, cosine > 0 ? reaching : R2::Color{});
     }
   }
-  /// From p to a place given on the unit disc.
+  /// Returns the vector from p to a point given on the unit disc.
   R3::Vector ToPlace(const R2::Point& on_disc, const R3::Point& p) const {
     return center_ + (radius_ * on_disc.x * tangents_.first + radius_ * on_disc.y * tangents_.second) - p;
   }
-  /// NaN of no direction.
+  /// Returns the cosine; NaN for a zero direction.
   double Cosine(const R3::Vector& unit_to_light) const {
     const double cosine = -Dot(direction_, unit_to_light);
     return cosine > 1 ? 1 : cosine;
@@ -79,7 +79,7 @@ class AreaLight : public Light {
   R2::Color color_;
   R3::Point center_;
   R3::Vector given_direction_;  // of any length
-  R3::Vector direction_;        // the side it shines to; unit
+  R3::Vector direction_;        // the side to which it shines; unit
   R3::Tangents tangents_;
   double radius_;
   Falloff falloff_;

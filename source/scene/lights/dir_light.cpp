@@ -29,7 +29,7 @@ class DirLight : public Light {
  private:
   R2::Color color_;
   R3::Vector given_direction_;  // of any length
-  R3::Vector direction_;        // the way the light travels; unit
+  R3::Vector direction_;        // the direction in which the light travels; unit
 };
 
 }  // namespace

@@ -31,14 +31,14 @@ class PointLight : public Light {
   }
 
  private:
-  // Compiled for each instruction set, which a virtual function cannot be.
+  // Compiled for each instruction set, which is not possible for a virtual function.
   R3_VECTORIZED void ReachEach(LightSamples& samples) const {
     for (std::uint32_t i = 0; i < samples.count; ++i) {
       const R3::Vector to_light = place_ - samples.from[i];
       samples.Set(i, to_light, falloff_(color_, BranchlessLength(to_light)));
     }
     for (std::uint32_t i = 0; i < samples.count;
-         ++i) {  // nothing at the very place, in a loop that has no other choice
+         ++i) {  // none exactly at the light, in a loop without other branches
       const R2::Color reaching = samples.color[i];
       samples.color.Set(i, MaxComponent(Abs(samples.to_light[i])) > 0 ? reaching : R2::Color{});
     }

@@ -8,14 +8,15 @@
 namespace ray {
 namespace {
 
-/// A sphere that shines evenly to all sides and is not seen itself. From afar it equals a point light of its color.
+/// A sphere that shines equally in all directions and is itself invisible. From afar it equals a point light of its
+/// color.
 class SphereLight : public Light {
  public:
   SphereLight(const R2::Color& color, const R3::Point& center, double radius, const Falloff& falloff)
       : color_(color), center_(center), radius_(radius), falloff_(falloff) {}
 
-  /// A direction evenly in the cone of solid angle W that p sees the sphere in, S the place where it meets it. The
-  /// light I0 spread over the whole sphere, 4 I0 cos / falloff from each share of its area, becomes
+  /// Samples a direction uniformly in the cone of solid angle W that the sphere subtends at p; it meets the sphere at
+  /// S. The light I0 spread over the whole sphere, 4 I0 cos / falloff from each share of its area, becomes
   ///     I0 W d^2 / (pi r^2 falloff(d)),   d the distance to S,
   /// which hardly varies over the cone.
   std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const override {

@@ -26,7 +26,7 @@ class SpotLight : public Light {
     const R3::Vector to_light = place_ - p;
     const double distance = Length(to_light);
     if (!(distance > 0)) return {};
-    // By rounding the cosine may pass 1, and so may that of a cut-off angle of 0, which lights the axis alone.
+    // Rounding may push the cosine above 1, and also that of a cut-off angle of 0, which lights the axis alone.
     const double cosine = std::min(1.0, -Dot(direction_, Unit(to_light)));
     if (!(cosine > 0 && cosine >= cut_off_cosine_)) return {};
     return LightSample{R1::Pow(cosine, exponent_) * falloff_(color_, distance), to_light};
@@ -47,7 +47,7 @@ class SpotLight : public Light {
   R2::Color color_;
   R3::Point place_;
   R3::Vector given_direction_;  // of any length
-  R3::Vector direction_;        // the middle of the cone; unit
+  R3::Vector direction_;        // the axis of the cone; unit
   Falloff falloff_;
   double cut_off_;  // radians
   double cut_off_cosine_;
@@ -63,7 +63,8 @@ extern const LightKind spot_light_kind{
         ArgumentList{{"sc", false}, {"sd", false}},
     [](std::span<const double> a) -> std::unique_ptr<const Light> {
       const R3::Vector direction = DirectionAt(a, 6);
-      // Beyond pi/2 nothing changes, for the cosine law ends there; beyond pi it is no half angle, perhaps degrees.
+      // Beyond pi/2 nothing changes, since the cosine law ends there; beyond pi it is not a half angle but perhaps in
+      // degrees.
       if (!(a[12] <= std::numbers::pi))
         throw R3::ArgumentError(12, "sc, half an angle in radians, must not exceed pi, got " + Words(a[12]));
       return std::make_unique<SpotLight>(ColorAt(a, 0), PlaceAt(a, 3), direction, FalloffAt(a, 9), a[12], a[13]);

@@ -24,7 +24,7 @@ TEST(Difference, AConstantOffsetIsItsOwnRmseAndBias) {
   EXPECT_EQ(d.pixels, 15);
 }
 
-TEST(Difference, EqualPicturesHaveNoneAndAnInfinitePsnr) {
+TEST(Difference, EqualImagesHaveNoneAndAnInfinitePsnr) {
   const Image image = Filled(4, 4, {0.1, 7, -2});
   const Difference d = Compare(image, image, Display::srgb);
   EXPECT_EQ(d.rmse, 0);
@@ -39,7 +39,7 @@ TEST(Difference, TheRelativeErrorIsTheOneWorkedOutByHand) {
   EXPECT_DOUBLE_EQ(d.relative_mse, 0.0625 / 0.0725 / 3);
 }
 
-TEST(Difference, WhatAScreenCannotShowIsNoDifferenceOnIt) {
+TEST(Difference, ValuesBeyondTheScreensRangeMakeNoDifference) {
   const Difference d = Compare(Filled(2, 2, {5, -1, 1}), Filled(2, 2, {3, -7, 1}), Display::straight);
   EXPECT_EQ(d.display_rmse, 0);
   EXPECT_DOUBLE_EQ(d.rmse, std::sqrt((4.0 + 36) / 3));
@@ -65,8 +65,8 @@ TEST(Difference, TheLargestIsFoundWithItsPixelAndChannel) {
   EXPECT_EQ(d.largest.channel, 2);
 }
 
-// One bad pixel must neither spoil the means nor go unseen.
-TEST(Difference, PixelsThatAreNotFiniteAreCountedAndLeftOut) {
+// One bad pixel must neither spoil the means nor go unnoticed.
+TEST(Difference, PixelsThatAreNotFiniteAreCountedAndExcluded) {
   Image a = Filled(4, 1, {0.5, 0.5, 0.5}), b = Filled(4, 1, {0.25, 0.25, 0.25});
   a.Set(0, 0, {0.5, nan, 0.5});
   b.Set(1, 0, {infinity, 0, 0});
@@ -76,7 +76,7 @@ TEST(Difference, PixelsThatAreNotFiniteAreCountedAndLeftOut) {
   EXPECT_DOUBLE_EQ(d.largest.value, 0.25);
   EXPECT_DOUBLE_EQ(ProductMse(a, b, b), 0.0625);
   EXPECT_EQ(PixelsBeyond(a, b, 0.5), 2);
-  EXPECT_EQ(PixelsBeyond(b, b, 0.5), 1) << "infinity is beyond any threshold, even beside its like";
+  EXPECT_EQ(PixelsBeyond(b, b, 0.5), 1) << "infinity exceeds every threshold, even next to another infinity";
 }
 
 TEST(Difference, NothingIsKnownWhenNoPixelIsFinite) {
@@ -95,9 +95,9 @@ TEST(Difference, APixelFailsIfAnyChannelExceedsTheThreshold) {
   EXPECT_EQ(PixelsBeyond(a, black, 0.125), 2);
 }
 
-// The picture is wrong by 0.1 everywhere and has noise of its own of 0.2, the references have noise of 0.3: the true
-// squared error is 0.01 + 0.04 = 0.05, while one reference alone reports 0.05 + 0.09. With 120,000 channels the
-// standard error of the product is below 5e-4.
+// The image is wrong by 0.1 everywhere and has its own noise of 0.2, the references have noise of 0.3: the true squared
+// error is 0.01 + 0.04 = 0.05, while one reference alone reports 0.05 + 0.09. With 120,000 channels the standard error
+// of the product is below 5e-4.
 TEST(Difference, TwoReferencesTakeTheirNoiseOutOfTheError) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;

@@ -9,7 +9,7 @@
 namespace R2 {
 namespace {
 
-/// Steps of every size in every channel; rows counted from the top, as the figures below were measured.
+/// Makes steps of every size in every channel; rows counted from the top, as the figures below were measured.
 Image Pattern(int a, int b, int c) {
   Image image(64, 48);
   for (int row = 0; row < 48; ++row)
@@ -22,13 +22,13 @@ Image Pattern(int a, int b, int c) {
 
 double FromTop(const Plane& plane, int row, int x) { return plane.Row(plane.height - 1 - row)[x]; }
 
-TEST(Flip, APictureDoesNotDifferFromItself) {
+TEST(Flip, AnImageDoesNotDifferFromItself) {
   const Image image = Pattern(7, 13, 3);
   for (const float value : Flip(image, image).values) EXPECT_EQ(value, 0);
 }
 
 // Measured with the authors' own program (flip-evaluator 1.7, its maps averaged in double precision) on the same bytes.
-// It counts in single precision, and the square root in the last step makes 1e-8 into 1e-4 where features are alike.
+// It computes in single precision, and the square root in the last step turns 1e-8 into 1e-4 where features are equal.
 TEST(Flip, AgreesWithTheAuthorsProgram) {
   const Plane near = Flip(Pattern(7, 13, 3), Pattern(7, 12, 4));
   EXPECT_NEAR(Mean(near), 0.5930472, 1e-5);
@@ -68,7 +68,7 @@ TEST(Flip, GrowsWithTheDifference) {
   }
 }
 
-// Who steps back sees less: a checkerboard of single pixels turns gray.
+// A more distant viewer sees less: a checkerboard of single pixels turns gray.
 TEST(Flip, FineNoiseVanishesFromAfar) {
   Image checkers(60, 60);
   for (int y = 0; y < 60; ++y)
@@ -77,7 +77,7 @@ TEST(Flip, FineNoiseVanishesFromAfar) {
   EXPECT_GT(Mean(Flip(checkers, gray, 10)), 5 * Mean(Flip(checkers, gray, 200)));
 }
 
-TEST(Flip, StaysWithinZeroAndOneWhateverThePicturesHold) {
+TEST(Flip, StaysWithinZeroAndOneForAnyImages) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
   Image odd = Pattern(7, 13, 3);

@@ -1,4 +1,4 @@
-// Surfaces of one side: there for rays that arrive at their front, and lamps that shine forward.
+// One-sided surfaces: they exist for rays that arrive at their front, and lamps shine forward.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ Scene RandomScene(std::uint64_t seed, bool one_sided) {
   return scene;
 }
 
-/// The first crossing that arrives at a front, of all with surfaces of both sides, found without any structure.
+/// Returns the first crossing that arrives at a front, among all with two-sided surfaces, found without any structure.
 std::optional<WorldHit> FirstFront(const World& both_sides, const R3::Ray& ray) {
   std::optional<WorldHit> first;
   for (std::uint32_t i = 0; i < both_sides.Instances().size(); ++i) {
@@ -60,7 +60,7 @@ TEST(OneSided, TheHitIsTheFirstCrossingOfAFront) {
       backs += with_backs && (!hit || hit->t > with_backs->t);
     }
   }
-  EXPECT_GT(backs, 200);  // without it, nothing was tried
+  EXPECT_GT(backs, 200);  // otherwise nothing was tested
 }
 
 TEST(OneSided, EveryAcceleratorFindsTheSame) {
@@ -71,7 +71,7 @@ TEST(OneSided, EveryAcceleratorFindsTheSame) {
   }
 }
 
-TEST(OneSided, AnOptionSaysItOfAllButGlass) {
+TEST(OneSided, AnOptionMakesAllButGlassOneSided) {
   const std::string file = testing::TempDir() + "one_sided_" + std::to_string(getpid()) + ".scn";
   std::ofstream(file) << "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0 material 0 0 0 0 0 0 0 0 0 1 1 1 0 0 0 1 1.5 0";
   ParseOptions options;
@@ -103,7 +103,7 @@ double Mean(const R2::Image& image) {
   return sum / (image.Width() * image.Height());
 }
 
-TEST(OneSided, ALampShinesForwardAlikeByEveryStrategy) {
+TEST(OneSided, ALampShinesForwardEquallyByEveryStrategy) {
   RenderSettings settings;
   settings.width = settings.height = 16;
   settings.samples = 256;
@@ -125,11 +125,11 @@ TEST(OneSided, ALampShinesForwardAlikeByEveryStrategy) {
   }
 }
 
-TEST(OneSided, AFaceShadowsOnlyWhatSeesItsFront) {
+TEST(OneSided, AFaceShadowsOnlyPointsThatSeeItsFront) {
   const auto floor_under = [](const std::string& roof) {
     RenderSettings settings;
     settings.width = settings.height = 9;
-    const R2::Image picture =
+    const R2::Image image =
         project::Render(project::Stage(project::FromText(
                             "camera look_at 0 1 3 0 0 0 0 1 0 5 dir_light 1 1 1 0 -1 0 ambient 0 0 0 "
                             "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0 material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0 "
@@ -137,7 +137,7 @@ TEST(OneSided, AFaceShadowsOnlyWhatSeesItsFront) {
                             roof)),
                         settings)
             .image;
-    return picture.At(4, 4).g;
+    return image.At(4, 4).g;
   };
   const std::string front_up = "quad 1 -1 2 -1 -1 2 1 1 2 1 1 2 -1", front_down = "quad 1 -1 2 -1 1 2 -1 1 2 1 -1 2 1";
   EXPECT_EQ(floor_under(front_up), 0);

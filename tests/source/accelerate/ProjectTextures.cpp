@@ -1,4 +1,4 @@
-// Images over polygons and meshes that have no texture coordinates of their own.
+// Images on polygons and meshes without texture coordinates.
 
 #include <gtest/gtest.h>
 
@@ -83,7 +83,7 @@ TEST(ProjectTextures, ShapesWithTextureCoordinatesKeepThem) {
     EXPECT_TRUE(picture("texture_project 0\n" + shape) == picture(shape)) << shape;
 }
 
-// An image sticks to what it is on, whether its corners are moved into the world or rays to it.
+// An image is attached to its object, whether its corners are transformed to the world or rays to it.
 TEST(ProjectTextures, AnImageIsTurnedAndScaledWithItsGroup) {
   const Pictures picture;
   const std::string group = "begin 0 scale .7 rotate 30 0 0 1 translate .4 .1 0\n";

@@ -1,4 +1,4 @@
-// What `auto` takes, and that it says why.
+// The choices of `auto` and their reasons.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ ray::Scene Hairs(double width, int count) {
   return Of({std::make_shared<R3::Mesh>(std::move(data))});
 }
 
-TEST(Auto, AsksASinglePrimitiveDirectlyIfThatIsQuick) {
+TEST(Auto, TestsASinglePrimitiveDirectlyIfThatIsQuick) {
   const std::shared_ptr<const R3::Shape> ball = R3::MakeShape("sphere", {0, 0, 0, 1}),
                                          ring = R3::MakeShape("torus", {0, 0, 0, 2, 0.5});
   EXPECT_EQ(Choice(Of({ball}), 1e6), "auto chose none: 1 primitive: testing it is faster\n");
@@ -81,7 +81,7 @@ TEST(Auto, IsGivenNoGridThatTakesTooLong) {
   EXPECT_THROW(ray::FindAcceleratorKind("grid")->Make(world, {.most_build_seconds = 0}), ray::BuildTookTooLong);
 }
 
-TEST(Auto, GivesBackWhatItChoseWhichKnowsItsKind) {
+TEST(Auto, ReturnsItsChoiceWhichKnowsItsKind) {
   const ray::Scene scene = Hairs(0.5, 200);
   const ray::World world(scene);
   EXPECT_EQ(ray::FindAcceleratorKind("auto")->Make(world, {.name = "auto"})->kind, "bvh");

@@ -1,4 +1,4 @@
-// Boxes only cull: the scene graph, with any of its switches, finds exactly what asking every primitive finds.
+// Boxes only cull: the scene graph, with any of its switches, finds exactly the hits of testing every primitive.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ std::shared_ptr<const R3::Shape> RandomShape(Draw& draw) {
   return kind->make(kind->example);
 }
 
-/// Groups in groups, sheared, mirrored and scaled by up to `powers` orders of magnitude, with shapes on every level.
+/// Makes nested groups, sheared, mirrored and scaled by up to `powers` orders of magnitude, with shapes on every level.
 ray::Node RandomGroup(Draw& draw, int levels, double powers) {
   ray::Node group;
   if (draw.Whole(0, 3) > 0) group.transform = draw.Affine(powers);
@@ -58,7 +58,7 @@ void CompareInOneScene(const ray::Scene& scene, Draw& draw, int rays) {
       return box.low +
              R3::Vector{size.x * draw.Between(0, 1), size.y * draw.Between(0, 1), size.z * draw.Between(0, 1)};
     };
-    // Aimed at a shape's own box, which in scenes of many scales hardly any other ray would meet.
+    // Aimed at a shape's own box, which hardly any other ray would meet in scenes of many scales.
     const auto& instance =
         world.Instances()[static_cast<std::size_t>(draw.Whole(0, static_cast<int>(world.Instances().size()) - 1))];
     const R3::Box own = world.Frames()[instance.frame] * instance.node->bounds;
@@ -109,7 +109,7 @@ ray::Node Leaf(std::shared_ptr<const R3::Shape> shape) {
 }
 
 TEST(Graph, AmongEqualDistancesTheLowestPrimitiveWins) {
-  // Three copies of one box, the first one deepest in the graph and so asked last.
+  // Three copies of one box, the first one deepest in the graph and therefore tested last.
   const std::shared_ptr<const R3::Shape> box = R3::MakeShape("box", {-1, -1, -1, 1, 1, 1});
   ray::Scene scene;
   ray::Node inner, outer;
@@ -130,8 +130,8 @@ TEST(Graph, AmongEqualDistancesTheLowestPrimitiveWins) {
   }
 }
 
-TEST(Graph, EachOfItsDevicesSavesTestsWhereItShould) {
-  // A row of groups of spheres seen end on: boxes skip whole groups, order skips what lies behind, the cache finds
+TEST(Graph, EachOfItsOptimizationsSavesTests) {
+  // A row of groups of spheres seen end-on: boxes skip whole groups, order skips farther ones, the cache finds
   // neighbors.
   ray::Scene scene;
   for (int g = 0; g < 20; ++g) {
@@ -186,7 +186,7 @@ TEST(World, InheritsMaterialsAndNumbersPrimitivesInFileOrder) {
   EXPECT_EQ(world.Frames().size(), 1u);  // no group has a transform of its own
 }
 
-TEST(Extremes, A6_ASingularGroupIsLeftOutAndTheRestStays) {
+TEST(Extremes, A6_ASingularGroupIsSkippedAndTheRestStays) {
   ray::Scene scene;
   ray::Node flat;
   flat.transform.m[1][1] = 0;

@@ -1,4 +1,4 @@
-// The error that raypro claims, from outside.
+// The error that raypro states, tested by running it.
 #include <gtest/gtest.h>
 
 #include "tests/source/app/Place.h"
@@ -26,19 +26,19 @@ TEST(Claims, AreTheSameWithAReportAndInItsReplay) {
   EXPECT_EQ(claim({"-replay", place / "e.json"}), decided);
 }
 
-TEST(Claims, AreOfWhatIsDisplayedThoughTheFormatKeepsLight) {
+TEST(Claims, AreOfDisplayedValuesEvenIfTheFormatKeepsLight) {
   NEEDS_THE_PROGRAM();
   const Place place;
-  const auto claim = [&](const std::string& picture) {
+  const auto claim = [&](const std::string& image) {
     const Finished done = RunProgram(
-        {place.Scene(), place / picture, "-width", "40", "-height", "30", "-samples", "8", "-srgb", "-error", ".001"});
+        {place.Scene(), place / image, "-width", "40", "-height", "30", "-samples", "8", "-srgb", "-error", ".001"});
     return done.output.substr(std::min(done.output.find("estimated error"), done.output.size()));
   };
   EXPECT_TRUE(Has(claim("a.png"), "/255"));
   EXPECT_EQ(claim("a.pfm"), claim("a.png"));
 }
 
-TEST(Claims, SayWhereCausticsMayBeThatNoPathHasFound) {
+TEST(Claims, LocateCausticsThatNoPathMayHaveFound) {
   NEEDS_THE_PROGRAM();
   const Place place(
       "camera 0 3 4  0 -.6 -1  0 1 0  .4  .1 100\nmaterial 0 0 0  .5 .5 .5  0 0 0  0 0 0  0 0 0  1 1 0\n"
@@ -50,7 +50,7 @@ TEST(Claims, SayWhereCausticsMayBeThatNoPathHasFound) {
   EXPECT_FALSE(Has(place.Run("a.pfm", {"-samples", "4", "-error", "1"}).error, warning)) << "light samples find all";
 }
 
-// In so few pixels the worst thousandth is a quarter of them.
+// Here the worst thousandth of the pixels is a quarter of them.
 TEST(Outliers, CauseNoWarningInTinyImages) {
   NEEDS_THE_PROGRAM();
   const Place place;

@@ -1,7 +1,7 @@
-// What the programs answer to commands. Files of tests/app have the commands and their answers: commands.txt those
+// Answers of the programs to commands. The files of tests/app contain commands with their answers: commands.txt those
 // that users of other renderers, and of the course's, type first; options.txt and rayimg.txt wrong ones; warnings.txt
-// likely mistakes; files.txt commands with the wrong files; scenes.txt scenes. RAYTESTS_RECORD=1 writes the answers
-// anew: read what has changed.
+// likely mistakes; files.txt commands with the wrong files; scenes.txt scenes. RAYTESTS_RECORD=1 records the answers
+// again: read the difference.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -21,16 +21,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a command begins its line with in the file, and the lines of its answer.
+/// The marks that begin a line of the command and of its answer in the file.
 constexpr const char* prompt = "$ ";
 constexpr const char* output_mark = "  | ";
 constexpr const char* error_mark = "  ! ";
-constexpr const char* file_mark = "  + ";  // what a command that failed leaves behind
+constexpr const char* file_mark = "  + ";  // a file that a failed command leaves behind
 constexpr const char* header =
     "# Commands, exit statuses, the first lines on standard error (!) and standard output (|), and files that\n"
     "# commands which fail leave behind (+), recorded with\n"
     "# RAYTESTS_RECORD=1 build/raytests --gtest_filter=Commands.*\n";
-constexpr std::size_t most_lines = 6;  // of each stream; long answers are tested elsewhere
+constexpr std::size_t most_lines = 6;  // per stream; long answers are tested elsewhere
 
 constexpr std::array transcripts{"commands.txt", "options.txt", "rayimg.txt",
                                  "warnings.txt", "files.txt",   "scenes.txt"};
@@ -44,7 +44,7 @@ void WriteImage(const std::string& file, int width, int height, float level) {
   WriteFile(file, {bytes.begin(), bytes.end()});
 }
 
-/// A folder as a newcomer may have it, and images of every kind, sound and broken.
+/// A folder like a newcomer's, with images of every kind, valid and broken.
 struct Folder : TemporaryFolder {
   Folder() {
     const std::string scene = "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\npoint_light 1 1 1  3 4 5  1 0 0\n";
@@ -66,8 +66,8 @@ struct Folder : TemporaryFolder {
   std::vector<std::string> known;
 };
 
-/// Returns the first lines, each behind its mark. Times and speeds are not the same twice, nor is what a build is made
-/// of, and a new command changes no answer.
+/// Returns the first lines, each after its mark. Times, speeds and the features of a build vary and are replaced, and a
+/// new command changes no answer.
 std::string Shown(std::string text, const std::string& mark) {
   static const std::pair<std::regex, const char*> varying[] = {
       {std::regex(R"([0-9.]+ s [0-9.]+ Mrays/s)"), "TIME"},
@@ -82,7 +82,7 @@ std::string Shown(std::string text, const std::string& mark) {
   return count > most_lines ? shown + mark + "...\n" : shown;
 }
 
-/// The command, its exit status and what it says, as the file has it.
+/// Returns the command, its exit status and its output in the format of the file.
 std::string Answer(const std::string& command) {
   const Folder place;
   const TemporaryFolder aside;
@@ -104,7 +104,7 @@ std::string Answer(const std::string& command) {
          Shown(ReadFile(aside / "output"), output_mark) + left;
 }
 
-/// The answers of the file, each beginning with its command.
+/// Returns the answers of the file, each of which begins with its command.
 std::vector<std::string> Recorded(const std::string& name) {
   std::istringstream lines(ReadFile(DataFile(name)));
   std::vector<std::string> answers;
@@ -140,9 +140,9 @@ TEST(Commands, AreAnsweredAsRecorded) {
   }
 }
 
-// Whoever looks at the exit status alone must not take an answer for an image.
-// One line, on standard error alone, says what is wrong.
-TEST(Commands, ThatAreWrongAreToldSoInOneLine) {
+// A script that checks only the exit status must not take an answer for an image. One line, on standard error alone,
+// states the mistake.
+TEST(Commands, ThatAreWrongAreAnsweredInOneLine) {
   for (const char* name : {"options.txt", "rayimg.txt"})
     for (const std::string& answer : Recorded(name)) {
       EXPECT_FALSE(Has(answer, "\n  0\n")) << answer;
@@ -151,7 +151,7 @@ TEST(Commands, ThatAreWrongAreToldSoInOneLine) {
     }
 }
 
-TEST(Commands, SucceedOnlyWithAnImageUnlessWordsWereAskedFor) {
+TEST(Commands, SucceedOnlyWithAnImageUnlessTextWasRequested) {
   const std::regex asks_for_words(" (-h|-?-help|-?-version|-list|-check|-info|-debugpixel|-complete|-man)\\b|^rayimg");
   for (const std::string& answer : Recorded("commands.txt")) {
     const bool succeeds = Has(answer, "\n  0\n");

@@ -1,5 +1,5 @@
-// The program with COMP30019's command line, from outside: the calls of its graders on scenes of the same kinds, and
-// how it ends.
+// The program with COMP30019's command line: the calls of its graders on scenes of the same kinds, and its exit
+// statuses.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,7 +20,7 @@ Finished RunCourse(CourseCall words) {
   return RunProgram(words);
 }
 
-TEST(Comp30019Program, TheGradersCallsMakeTheirPictures) {
+TEST(Comp30019Program, TheGradersCallsMakeTheirImages) {
   NEEDS_THE_PROGRAM();
   const CourseCall small{"-w", "48", "-h", "36"};
   const struct {
@@ -62,7 +62,7 @@ TEST(Comp30019Program, TheGradersCallsMakeTheirPictures) {
   }
 }
 
-/// The mean over each eighth of a picture's width and height.
+/// Returns the mean over each eighth of an image's width and height.
 std::vector<double> Eighths(const R2::Image& image) {
   std::vector<double> means(64);
   for (int y = 0; y < image.Height(); ++y)
@@ -72,7 +72,7 @@ std::vector<double> Eighths(const R2::Image& image) {
   return means;
 }
 
-// Emission was a radiance with -l, and what had been lit well without was nearly black.
+// Regression: emission was a radiance with -l, and surfaces that were bright without it were nearly black.
 TEST(Comp30019Program, AmbientLightAddsToThatOfLamps) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
@@ -88,10 +88,10 @@ TEST(Comp30019Program, AmbientLightAddsToThatOfLamps) {
     EXPECT_GT(all[i], direct[i] - 0.02) << "darker in eighth " << i;  // noise
     sum += all[i], direct_sum += direct[i];
   }
-  EXPECT_GT(sum, 1.5 * direct_sum) << "walls of albedo .75 around all sides send on most of what they get";
+  EXPECT_GT(sum, 1.5 * direct_sum) << "walls of albedo .75 around all sides reflect most of the light";
 }
 
-TEST(Comp30019Program, TheSizeIs400x400UnlessItIsAskedFor) {
+TEST(Comp30019Program, TheSizeIs400x400ByDefault) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   RunCourse({"-f", CourseScene("corners"), "-o", folder / "plain.png"});
@@ -101,7 +101,7 @@ TEST(Comp30019Program, TheSizeIs400x400UnlessItIsAskedFor) {
   EXPECT_EQ(Decode(folder / "low.png").image.Height(), 300);
 }
 
-TEST(Comp30019Program, ItEndsWith0OnSuccessAndElseWith1) {
+TEST(Comp30019Program, ItExitsWith0OnSuccessAndOtherwiseWith1) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   const std::string out = folder / "out.png";
@@ -127,7 +127,7 @@ TEST(Comp30019Program, ItEndsWith0OnSuccessAndElseWith1) {
   }
 }
 
-TEST(Comp30019Program, ALinkOfThatNameNeedsNoOtherWord) {
+TEST(Comp30019Program, ALinkOfThatNameNeedsNoOption) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   const std::string link = folder / "comp30019";
@@ -142,11 +142,11 @@ TEST(Comp30019Program, ALinkOfThatNameNeedsNoOtherWord) {
   EXPECT_NE(info.output.find("command: raypro -as comp30019 -f "), std::string::npos) << info.output;
 }
 
-TEST(Comp30019Program, ElsewhereThanInFrontTheRequestIsAnError) {
+TEST(Comp30019Program, TheRequestIsAnErrorUnlessItComesFirst) {
   NEEDS_THE_PROGRAM();
   const Finished done = RunProgram({"in.txt", "out.png", "-as", "comp30019"});
   EXPECT_EQ(done.status, 2);
-  EXPECT_EQ(done.error, "raypro: -as comp30019 must come before all else\n");
+  EXPECT_EQ(done.error, "raypro: -as comp30019 must come first\n");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// raypro -convert, from outside.
+// Runs of raypro -convert.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 const std::string small_scene_text = "point_light 1 1 1  0 3 5  1 0 0\nsphere -1  0 0 0  1\n";
 
-TEST(Convert, WritesTheSceneAndSaysSo) {
+TEST(Convert, WritesTheSceneAndReportsIt) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder place;
   const std::string scene = WriteFile(place / "in.scn", small_scene_text);
@@ -75,10 +75,10 @@ TEST(Convert, AWrongSettingIsReportedAndNothingWritten) {
   EXPECT_EQ(place.Others({"in.scn"}), std::vector<std::string>{});
 }
 
-TEST(Convert, AMeshTakesNoFileFromItsPlace) {
+TEST(Convert, AMeshReplacesNoExistingFile) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder place;
-  // A polygon of so many corners that it is written as a mesh.
+  // A polygon with enough corners to be written as a mesh.
   std::string text = "polygon -1 100";
   for (int i = 0; i < 100; ++i) text += " " + std::to_string(i) + " " + std::to_string(i * i) + " 0";
   const std::string scene = WriteFile(place / "in.scn", text + "\n");
@@ -94,7 +94,7 @@ TEST(Convert, AMeshTakesNoFileFromItsPlace) {
   EXPECT_EQ(ReadFile(place / meshes[0]), "mine\n");
 }
 
-TEST(Convert, AFolderThatTakesNoFilesIsSaidSo) {
+TEST(Convert, AnUnwritableFolderIsReported) {
   NEEDS_THE_PROGRAM();
   if (geteuid() == 0) GTEST_SKIP() << "the superuser may write anywhere";
   const TemporaryFolder place;
@@ -108,7 +108,7 @@ TEST(Convert, AFolderThatTakesNoFilesIsSaidSo) {
   EXPECT_TRUE(fs::is_empty(folder));
 }
 
-TEST(Convert, SaysWhichFolderItsReaderMustAllow) {
+TEST(Convert, NamesTheFolderThatItsReaderMustAllow) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder place;
   fs::create_directories(place / "scenes");

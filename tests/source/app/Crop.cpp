@@ -1,4 +1,4 @@
-// raypro -crop, from outside.
+// Runs of raypro -crop.
 #include <gtest/gtest.h>
 
 #include "tests/source/app/Place.h"
@@ -10,10 +10,10 @@ TEST(Crop, ADenoisedOneIsResumedAndReplayedToTheByte) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const List crop{"-crop", "9", "4", "20", "17", "-mode", "path", "-filter", "gaussian", "-denoise"};
-  const auto run = [&](const std::string& picture, const List& more) {
-    const Finished done = place.Run(picture, With(crop, more));
+  const auto run = [&](const std::string& image, const List& more) {
+    const Finished done = place.Run(image, With(crop, more));
     EXPECT_EQ(done.status, 0) << done.error;
-    return ReadFile(place / picture);
+    return ReadFile(place / image);
   };
   const std::string at_once = run("a.pfm", {"-samples", "8", "-report", place / "r.json"});
   EXPECT_TRUE(run("b.pfm", {"-replay", place / "r.json"}) == at_once);
@@ -21,7 +21,7 @@ TEST(Crop, ADenoisedOneIsResumedAndReplayedToTheByte) {
   EXPECT_TRUE(run("c.pfm", {"-samples", "8", "-resume"}) == at_once);
 }
 
-TEST(Crop, ExplainSaysWhetherItMatchesTheWhole) {
+TEST(Crop, ExplainStatesWhetherItMatchesTheWhole) {
   NEEDS_THE_PROGRAM();
   const Place place;
   const auto said_with = [&](const List& more) {

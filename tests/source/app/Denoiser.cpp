@@ -30,8 +30,8 @@ struct StageForDenoiser : SceneFolder {
       : SceneFolder(
             "camera 0 1 6  0 0 -1  0 1 0  0.3  0.1 100\nbox -1  -4 -1 -4  4 0 4\nsphere -1  0 0.8 0  0.8\n"
             "area_light 9 9 9  2 4 2  -1 -2 -1  1  0 0 1\n") {}
-  Finished Run(const std::string& picture, const List& more) const {
-    return RunProgram(With({Scene(), *this / picture, "-width", "40", "-height", "30"}, more));
+  Finished Run(const std::string& image, const List& more) const {
+    return RunProgram(With({Scene(), *this / image, "-width", "40", "-height", "30"}, more));
   }
 };
 
@@ -42,7 +42,7 @@ TEST(Denoiser, IsOursByDefaultAndAutoIsResolvedBeforeRendering) {
   EXPECT_EQ(options.render.denoiser, OpenImageDenoise::IsPresent() ? Denoiser::both : Denoiser::regression);
 }
 
-TEST(Denoiser, ThatIsMissingIsToldBeforeTheFirstRay) {
+TEST(Denoiser, ThatIsMissingIsReportedBeforeTheFirstRay) {
   NEEDS_THE_PROGRAM();
   if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
   const StageForDenoiser place;
@@ -67,7 +67,7 @@ TEST(Denoiser, WithoutDenoisingIsWarnedOfAndNotLoaded) {
   EXPECT_FALSE(Has(ReadFile(place / "a.png"), "denoised_by")) << "nothing has";
 }
 
-// Its name is all that tells why the same command made another image on another machine.
+// Only its name explains why the same command made another image on another machine.
 TEST(Denoiser, OfALibraryIsRecordedAndRequiredByReplay) {
   NEEDS_THE_PROGRAM();
   if (!OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has no Open Image Denoise";

@@ -1,4 +1,4 @@
-// Images that several processes render together, from outside.
+// Images that several processes render together.
 #include "source/app/Farm.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ struct PartsPlace : Place {
     EXPECT_EQ(done.status, 0) << done.error;
     return done.output;
   }
-  /// The files of one render, by name; none of them stays.
+  /// Returns the files of one render by name, and removes them.
   std::map<std::string, std::string> OneRender(const List& more = {}) const {
     const Finished done = Run("out.png", more);
     EXPECT_EQ(done.status, 0) << done.error;
@@ -81,8 +81,7 @@ TEST(Farm, AssembledFilesAreThoseOfOneRender) {
   }
 }
 
-/// Settings that reach into what blocks share: filters, borders, lenses, motion, layers, what is decided from the
-/// image.
+/// Settings that affect several blocks at once: filters, borders, lenses, motion, layers, decisions based on the image.
 const List settings_of_all_kinds[] = {
     {},
     {"-samples", "4"},
@@ -117,7 +116,7 @@ TEST(Farm, PartsInAnyOrderOnAnyMachineMakeOneImage) {
     const auto expected = place.OneRender(more);
     ASSERT_FALSE(expected.empty());
     for (const int n : {1, 5, 64}) {
-      if (n > Rounds("RAYTESTS_PARTS", 5)) continue;  // so many take a minute
+      if (n > Rounds("RAYTESTS_PARTS", 5)) continue;  // this many take a minute
       RunRounds(place, n, more);
       EXPECT_EQ(place.Assemble(more).status, 0);
       SCOPED_TRACE(ShellLine(more) + " in " + std::to_string(n));
@@ -128,7 +127,7 @@ TEST(Farm, PartsInAnyOrderOnAnyMachineMakeOneImage) {
   }
 }
 
-/// Names that mean something else to a shell's patterns, to printf or to GNU parallel.
+/// Names that have another meaning in patterns of a shell, printf or GNU parallel.
 const List odd_names{"shot[1].png", "[!a]*?.png", "a\\nb\\\\.png", "s{}h{1}{.}.png", "50%d {a,b}.png", "]x[.png"};
 
 TEST(Farm, NamesOfImagesAreNeverPatterns) {
@@ -142,7 +141,7 @@ TEST(Farm, NamesOfImagesAreNeverPatterns) {
     for (int i = 1; i <= 3; ++i) EXPECT_EQ(place.Run(name, {"-part", std::to_string(i) + "/3"}).status, 0) << name;
     const Finished missing = place.Run(name, {"-missing", "3"});
     EXPECT_EQ(missing.output + missing.error, "") << name;
-    // Of a part that is not found, the samples would be rendered again.
+    // If a part is not found, its samples are rendered again.
     const Finished done = place.Run(name, {"-parts", place / (name + ".part-*"), "-explain"});
     EXPECT_EQ(done.status, 0) << done.error;
     EXPECT_FALSE(Has(done.error, "no file is named")) << done.error;
@@ -160,9 +159,9 @@ TEST(Farm, APatternFindsNamesBeforeItIsAPattern) {
     WriteFile(place / name, "");
   WriteFile(odd_folder + "/a.png.part-1-of-1", "");
   WriteFile(place / "in1/a.png.part-1-of-1", "");
-  const auto found = [&](const std::string& pattern, const std::string& picture) {
+  const auto found = [&](const std::string& pattern, const std::string& image) {
     List names;
-    for (const std::string& name : FilesLike(place / pattern, picture))
+    for (const std::string& name : FilesLike(place / pattern, image))
       names.push_back(std::filesystem::relative(name, place.Path()).string());
     return names;
   };
@@ -214,7 +213,7 @@ TEST(Farm, WorkersKilledAtRandomMomentsLoseNothing) {
   std::printf("%d workers killed\n", killed);
 }
 
-TEST(Farm, WhatIsMissingIsRenderedWhereItIsAssembled) {
+TEST(Farm, MissingPartsAreRenderedByTheAssembler) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   const List more{"-samples", "4", "-mode", "path"};
@@ -280,7 +279,7 @@ TEST(Farm, PartsOfAnotherDivisionOrByteOrderAreRefused) {
   EXPECT_TRUE(Has(foreign.error, "another byte order")) << foreign.error;
 }
 
-/// Options as the program reads them, and what they and the scene make of a part's identity.
+/// Options as the program reads them, and the identity of a part that follows from them and the scene.
 struct Asked {
   explicit Asked(const PartsPlace& place, const List& more = {}) {
     const List words = With({place.Scene(), place / "out.png", "-width", "40", "-height", "30", "-part", "1/2"}, more);
@@ -292,7 +291,7 @@ struct Asked {
   std::string identity;
 };
 
-TEST(Farm, DuplicatePartsMustHoldTheSameSums) {
+TEST(Farm, DuplicatePartsMustContainTheSameSums) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   const auto expected = place.OneRender();
@@ -302,7 +301,7 @@ TEST(Farm, DuplicatePartsMustHoldTheSameSums) {
   EXPECT_EQ(place.Assemble().status, 0);
   place.ExpectFiles(expected);
   const Asked asked(place);
-  auto part = PartReader(asked.options.render, asked.options.files.picture, asked.identity).Read(twin);
+  auto part = PartReader(asked.options.render, asked.options.files.image, asked.identity).Read(twin);
   ASSERT_TRUE(part);
   for (Film::Block& block : part->state.blocks)
     if (block.Samples() > 0) block.sums[0].Sums()[0].color.r += 1e-9;
@@ -336,18 +335,18 @@ TEST(Farm, APartThatVanishesBeforeReadingCountsAsMissing) {
   const PartsPlace place;
   EXPECT_EQ(place.Part(1, 2).status, 0);
   const Asked asked(place);
-  PartReader reader(asked.options.render, asked.options.files.picture, asked.identity);
+  PartReader reader(asked.options.render, asked.options.files.image, asked.identity);
   const RenderState joined = reader.Joined({place / NameOfPart(1, 2), place / NameOfPart(2, 2)}, 2);
   EXPECT_EQ(MissingParts(joined, asked.options.render, reader.PartsOf(2)), std::vector{2});
 }
 
-// What is neither refused nor found damaged must be the part itself.
+// A part that is neither refused nor found damaged must be unchanged.
 TEST(Farm, NoChangedByteOfAPartGoesUnnoticed) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   EXPECT_EQ(place.Part(1, 2).status, 0);
   const Asked asked(place);
-  PartReader reader(asked.options.render, asked.options.files.picture, asked.identity);
+  PartReader reader(asked.options.render, asked.options.files.image, asked.identity);
   const std::string name = place / NameOfPart(1, 2), whole = ReadFile(name);
   const auto original = reader.Read(name);
   ASSERT_TRUE(original);
@@ -370,7 +369,7 @@ TEST(Farm, NoChangedByteOfAPartGoesUnnoticed) {
   EXPECT_EQ(noticed, tried);
 }
 
-TEST(Farm, APartThatIsTerminatedContinuesWhereItStopped) {
+TEST(Farm, ATerminatedPartContinuesFromItsCheckpoint) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   const List more{"-samples", "600", "-mode", "path"};
@@ -423,7 +422,7 @@ TEST(Farm, TwoJobsOfOneNameDoNoHarm) {
   }
 }
 
-/// Rounds until nothing is missing, of parts in random orders, on machines that differ; how many there were.
+/// Returns the number of rounds until nothing is missing, with parts in random orders and different machines.
 int RunRounds(const PartsPlace& place, int n, const List& more) {
   std::mt19937 random(static_cast<unsigned>(n));
   for (int round = 0; round < 30; ++round) {
@@ -456,7 +455,7 @@ TEST(Farm, RoundsReachAnErrorTargetLikeOneRender) {
   }
 }
 
-/// The plan's file, with a time this much later than it is.
+/// Changes the time of the plan's file by a duration.
 void ShiftPlan(const PartsPlace& place, std::chrono::seconds later) {
   const std::string plan = place / "out.png.plan";
   std::filesystem::last_write_time(plan, std::filesystem::last_write_time(plan) + later);
@@ -471,7 +470,7 @@ TEST(Farm, ATimeThatIsLongEnoughChangesNoByte) {
     const List timed = With(more, {"-time", "1000"});
     const auto expected = place.OneRender(timed);
     EXPECT_EQ(place.Missing(3, timed), "1\n2\n3\n");
-    ShiftPlan(place, std::chrono::hours(1));  // by a server's clock that is wrong
+    ShiftPlan(place, std::chrono::hours(1));  // a server's clock may be wrong
     RunRounds(place, 3, timed);
     const Finished done = place.Assemble(timed);
     EXPECT_EQ(done.status, 0) << done.error;
@@ -479,7 +478,7 @@ TEST(Farm, ATimeThatIsLongEnoughChangesNoByte) {
   }
 }
 
-TEST(Farm, TheImageHasWhatMachinesRenderedInTime) {
+TEST(Farm, TheImageContainsThePartsRenderedInTime) {
   NEEDS_THE_PROGRAM();
   const PartsPlace place;
   const List more{"-mode", "path", "-time", "1000"};
@@ -509,7 +508,7 @@ TEST(Farm, ATimedPartWithoutAPlanIsRefused) {
   EXPECT_TRUE(Has(part.error, "out.png.plan") && Has(part.error, "-missing n writes it")) << part.error;
 }
 
-TEST(Farm, WhatHasNoMeaningForPartsIsRefused) {
+TEST(Farm, OptionsWithoutMeaningForPartsAreRefused) {
   const struct {
     List words;
     const char* reason;

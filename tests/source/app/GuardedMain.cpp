@@ -11,14 +11,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// With less, the process used to die by a signal.
-TEST(Extremes, L12_OneThreadDoesAllIfNoneCanBeCreated) {
+// Regression: with fewer, a signal ended the process.
+TEST(Extremes, L12_OneThreadDoesTheWorkIfNoneCanBeCreated) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   std::filesystem::permissions(folder.Path(), std::filesystem::perms::all);
   Surroundings alone;
   alone.deny_threads = true;
-  alone.environment["ASAN_OPTIONS"] = "detect_leaks=0";  // AddressSanitizer needs a thread for that
+  alone.environment["ASAN_OPTIONS"] = "detect_leaks=0";  // AddressSanitizer needs a thread to detect leaks
   if (RunProgram({"-version"}, alone).status != 0) GTEST_SKIP() << "the program is not for other users";
   const std::string scene = WriteFile(folder / "ball.scn", "sphere -1  0 0 0  1\n");
   const std::string usual = folder / "usual.ppm", by_one = folder / "by_one.ppm";
@@ -52,23 +52,23 @@ TEST(Extremes, L11_SmallStacksAreReportedAndSoftLimitsRaised) {
 TEST(Extremes, L11_ScarceResourcesGiveTheImageOrAMessage) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
-  const std::string picture = place / "out.ppm", error = place / "error";
+  const std::string image = place / "out.ppm", error = place / "error";
   const auto run = [&](const std::string& surroundings) {
-    fs::remove(picture);
-    const std::string script = surroundings + ProgramName() + " " + place.Scene() + " " + picture +
-                               " -width 32 -height 32 -threads 100 -quiet";
-    return std::system(("sh -c '" + script + "' 2>" + error).c_str());  // opened before there is a limit
+    fs::remove(image);
+    const std::string script =
+        surroundings + ProgramName() + " " + place.Scene() + " " + image + " -width 32 -height 32 -threads 100 -quiet";
+    return std::system(("sh -c '" + script + "' 2>" + error).c_str());  // opened before the limit is set
   };
   ASSERT_EQ(run("exec "), 0);
-  const std::string whole = ReadFile(picture);
+  const std::string whole = ReadFile(image);
   for (const char* limit : {"ulimit -n 16; exec ", "ulimit -n 4; exec ", "ulimit -v 300000; exec ",
                             "ulimit -v 40000; exec ", "exec taskset 1 "}) {
     const int status = run(limit);
     ASSERT_TRUE(WIFEXITED(status)) << limit;
     if (WEXITSTATUS(status) == 0)
-      EXPECT_TRUE(ReadFile(picture) == whole) << limit;
+      EXPECT_TRUE(ReadFile(image) == whole) << limit;
     else
-      EXPECT_TRUE(!fs::exists(picture) && !ReadFile(error).empty()) << limit << WEXITSTATUS(status);
+      EXPECT_TRUE(!fs::exists(image) && !ReadFile(error).empty()) << limit << WEXITSTATUS(status);
   }
 }
 

@@ -24,7 +24,7 @@ TEST(Extremes, L5_ASignalEndsTheRunAndSavesTheImage) {
   const int rounds = Rounds("RAYTESTS_SIGNALS", 4);
   constexpr std::array<std::pair<int, const char*>, 4> signals{
       {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}, {SIGXCPU, "SIGXCPU"}}};
-  int early = 0;  // on a busy machine, before anything was rendered
+  int early = 0;  // on a busy machine, before any pixel was rendered
   for (int round = 0; round < rounds; ++round) {
     const SceneFolder place;
     const auto [signal, name] = signals[static_cast<std::size_t>(round) % signals.size()];
@@ -34,7 +34,7 @@ TEST(Extremes, L5_ASignalEndsTheRunAndSavesTheImage) {
     running.Send(signal);
     const auto sent = std::chrono::steady_clock::now();
     const Finished done = running.Wait();
-    // Encoding nine million pixels takes its time as well, and the machine may be busy.
+    // Encoding nine million pixels takes time too, and the machine may be busy.
     EXPECT_LT(std::chrono::steady_clock::now() - sent, 10s * project::patience);
     EXPECT_EQ(done.status, 128 + signal) << done.error;
     if (Has(done.error, "stopped before the first pixel; there is no image to save")) {
@@ -54,7 +54,7 @@ TEST(Extremes, L5_ASignalEndsTheRunAndSavesTheImage) {
   std::printf("%d signals, %d of them before the first pixel\n", rounds, early);
 }
 
-TEST(Interrupt, LayersThatWereNotRenderedAreToldOf) {
+TEST(Interrupt, LayersThatWereNotRenderedAreReported) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   Running running(
@@ -67,7 +67,7 @@ TEST(Interrupt, LayersThatWereNotRenderedAreToldOf) {
   EXPECT_FALSE(fs::exists(place / "out.depth.ppm"));
 }
 
-// Two billion rays for one sample: stopping was once looked for between samples only.
+// Regression: signals were handled between samples only. One sample here takes two billion rays.
 TEST(Extremes, L5_ASignalEndsALoopOverManyLightSamples) {
   NEEDS_THE_PROGRAM();
   const std::string light = "area_light 1 1 1 0 3 0 0 -1 0 1 1 0 0 ", box = "box -1 -1 -1 -1 1 1 1\n";
@@ -88,7 +88,7 @@ TEST(Extremes, L5_ASignalEndsALoopOverManyLightSamples) {
     std::this_thread::sleep_for(400ms);
     EXPECT_FALSE(running.IsOver());
     running.Send(SIGINT);
-    const Finished done = running.Wait(20s);  // else minutes
+    const Finished done = running.Wait(20s);  // otherwise minutes
     EXPECT_EQ(done.status, 130) << words[0] << done.error;
     EXPECT_TRUE(Has(done.error, "progress saved")) << done.error;
     EXPECT_EQ(place.Others({"in.scn", "out.ppm", "out.ppm.checkpoint"}), nothing);
@@ -100,9 +100,9 @@ TEST(Extremes, L5_ASecondSignalQuitsAtOnceWithoutSaving) {
   const SceneFolder place;
   WriteFile(place / "out.ppm", "old");
   Running running({place.Scene(), place / "out.ppm", "-width", "3000", "-height", "3000", "-samples", "64"});
-  running.WaitUntilItCatches(SIGTERM);  // which it does last
+  running.WaitUntilItCatches(SIGTERM);  // the last handler to be installed
   std::this_thread::sleep_for(400ms);
-  // Both are there when the process goes on, so it has no time to end in between; which comes first is the system's.
+  // Both signals are pending when the process continues, so it cannot end between them; the system chooses their order.
   for (const int signal : {SIGSTOP, SIGINT, SIGTERM, SIGCONT}) running.Send(signal);
   const int status = running.Wait().status;
   EXPECT_TRUE(status == 128 + SIGINT || status == 128 + SIGTERM) << status;
@@ -110,7 +110,7 @@ TEST(Extremes, L5_ASecondSignalQuitsAtOnceWithoutSaving) {
   EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing);
 }
 
-// A window that is closed sends SIGHUP by its terminal and by its shell, and the end of a session SIGTERM as well.
+// When a window is closed, its terminal and its shell each send SIGHUP, and the end of a session adds SIGTERM.
 TEST(Interrupt, SignalsThatComeTogetherByThemselvesLoseNothing) {
   NEEDS_THE_PROGRAM();
   for (const auto& signals : {std::vector{SIGHUP, SIGTERM, SIGHUP}, std::vector{SIGXCPU, SIGXCPU, SIGXCPU}}) {
@@ -128,14 +128,14 @@ TEST(Interrupt, SignalsThatComeTogetherByThemselvesLoseNothing) {
   }
 }
 
-// "exec" keeps the process, so that what a shell has set is the program's.
+// "exec" keeps the process, so that the settings of the shell apply to the program.
 Finished RunByShell(const SceneFolder& place, const std::string& before, const std::vector<std::string>& more) {
   std::vector<std::string> words{"-c", before + "exec \"$RAYPRO\" \"$@\"", "sh", place.Scene(), place / "out.ppm"};
   setenv("RAYTESTS_SHELL", "/bin/sh", 1);
   return RunProgram(With(words, more), {.program = "RAYTESTS_SHELL"});
 }
 
-// `ulimit -t` sets the hard limit as well, where the system knows SIGKILL only.
+// `ulimit -t` sets the hard limit too, where the system sends SIGKILL.
 TEST(Interrupt, ALimitOfProcessorTimeSavesTheImage) {
   NEEDS_THE_PROGRAM();
   if (project::patience > 1) GTEST_SKIP() << "sanitizers take the seconds for themselves";

@@ -1,4 +1,4 @@
-// raypro -layers and what rayimg makes of them, from outside.
+// Images of raypro -layers, and rayimg's work on them.
 #include <gtest/gtest.h>
 
 #include "tests/source/app/Place.h"
@@ -28,7 +28,7 @@ TEST(Layers, AFlareCanBeSubtractedFromTheImage) {
                   flare = Decode(place / "flare.pfm").image;
   double most = 0;
   for (std::size_t i = 0; i < with.Channels().size(); ++i) {
-    // One glare of eight discs: as many sums, each rounded to half a unit in the last place of a float.
+    // One glare of eight discs: eight sums, each rounded to half a unit in the last place of a float.
     ASSERT_NEAR(with.Channels()[i] - flare.Channels()[i], without.Channels()[i], 8 * 0x1p-24 * with.Channels()[i]);
     most = std::max<double>(most, flare.Channels()[i]);
   }

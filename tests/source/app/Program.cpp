@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Everything of the child is made before the fork: behind it, in a process with threads, memory must not be asked for.
+/// Everything of the child is made before the fork: after it, a process with threads must not allocate memory.
 struct Prepared {
   std::vector<std::string> words, environment;
   std::vector<char*> word_pointers, environment_pointers;
@@ -67,7 +67,7 @@ void BreakPipe(int descriptor) {
   if (surroundings.break_output) BreakPipe(STDOUT_FILENO);
   if (surroundings.close_output) close(STDOUT_FILENO);
   if (surroundings.close_error) close(STDERR_FILENO);
-  // A background job of a script inherits these ignored, as does what nohup starts.
+  // Background jobs of a script and programs started by nohup inherit ignored signals.
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) signal(number, SIG_DFL);
   if (surroundings.file_size_limit >= 0) {
     const auto limit = static_cast<rlim_t>(surroundings.file_size_limit);
@@ -84,7 +84,7 @@ void BreakPipe(int descriptor) {
   _exit(127);
 }
 
-/// Whether the process has a handler for the signal; true where the system does not say so as Linux does.
+/// Whether the process has a handler for the signal; true on systems that do not report it as Linux does.
 bool Catches(pid_t process, int signal) {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
   const std::string caught = "SigCgt:";

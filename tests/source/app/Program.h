@@ -11,11 +11,11 @@
 #include "R2/ImageFile.h"
 #include "tests/Sanitizers.h"
 
-/// Running the real programs, which the environment variables RAYPRO, RAYIMG and RAYVIEW name, and looking at what it
-/// leaves behind.
+/// Runs the real programs, which the environment variables RAYPRO, RAYIMG and RAYVIEW name, and examines the files that
+/// they leave behind.
 namespace ray::testing {
 
-/// A folder of its own for a test; gone with it.
+/// A test's own folder, removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -25,7 +25,7 @@ class TemporaryFolder {
 
   const std::filesystem::path& Path() const { return path_; }
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  /// Names of everything in it that is not in `known`.
+  /// Returns the names of all files in it that are not in `known`.
   std::vector<std::string> Others(const std::vector<std::string>& known) const;
 
  private:
@@ -40,7 +40,7 @@ std::string WriteFile(const std::string& file, const std::string& content);
 R2::DecodedImage Decode(const std::string& file);
 
 inline const std::vector<std::string> nothing;
-/// Words of a command line with more behind them.
+/// Returns the words of a command line followed by more words.
 std::vector<std::string> With(std::vector<std::string> words, const std::vector<std::string>& more);
 
 inline const std::string small_scene = "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nsphere -1  0 0 0  1\n";
@@ -51,16 +51,16 @@ struct SceneFolder : TemporaryFolder {
   std::string Scene() const { return *this / "in.scn"; }
 };
 
-/// What a program is started with besides its arguments.
+/// The environment of a program besides its arguments.
 struct Surroundings {
-  const char* program = "RAYPRO";                  // the variable that names it
+  const char* program = "RAYPRO";                  // the variable that names the program
   std::string standard_output{};                   // a file; empty: collected
   std::string standard_error{};                    // likewise
-  std::string standard_input{};                    // a file; empty: as it is for the test
+  std::string standard_input{};                    // a file; empty: inherited from the test
   bool close_output = false, close_error = false;  // descriptors not open at all
-  bool break_output = false;                       // a pipe that nobody reads
+  bool break_output = false;                       // a pipe without a reader
   long file_size_limit = -1;                       // bytes; -1 for none
-  bool deny_threads = false;                       // the superuser, whom nothing is denied, then runs it as nobody
+  bool deny_threads = false;                       // for the superuser, the program is run as nobody
   std::map<std::string, std::string> environment{};
 };
 
@@ -74,15 +74,15 @@ struct Finished {
 class Running {
  public:
   Running(const std::vector<std::string>& words, const Surroundings& surroundings = {});
-  ~Running();  // kills it, if nobody has waited for it
+  ~Running();  // kills it unless it was waited for
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  /// Nothing, once it is over: its number may be another process by then.
+  /// No value after it has ended: by then its number may belong to another process.
   void Send(int signal);
-  /// Until the program has a handler for the signal, to which it may take seconds on a busy machine; or until it is over.
+  /// Waits until the program has a handler for the signal, which may take seconds on a busy machine, or until it ends.
   void WaitUntilItCatches(int signal);
-  /// Kills it when it takes longer, ten times as long under a sanitizer: `status` is then -1.
+  /// Kills it after this time (ten times as long under a sanitizer): `status` is then -1.
   Finished Wait(std::chrono::milliseconds longest = std::chrono::minutes(2));
   bool IsOver();
 
@@ -97,12 +97,12 @@ class Running {
 const char* ProgramName(const char* variable = "RAYPRO");
 Finished RunProgram(const std::vector<std::string>& words, const Surroundings& surroundings = {});
 
-/// A count of repetitions, from the environment if it is set there.
+/// Returns a number of repetitions, from the environment if it is set there.
 int Rounds(const char* variable, int unless_set);
 
 }  // namespace ray::testing
 
-/// First line of every test that runs a program.
+/// The first line of every test that runs a program.
 #define NEEDS_THE_PROGRAM() \
   if (!ray::testing::ProgramName()) GTEST_SKIP() << "the environment variable RAYPRO does not name the program"
 #define NEEDS_RAYIMG() \

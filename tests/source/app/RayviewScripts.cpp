@@ -64,8 +64,8 @@ TEST_F(RayviewScripts, TheRedConeTurnsGreenAndMovesAndIsSaved) {
   EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "pro.png").image);
 }
 
-// The hash of an image tells which text of the scene it shows, whether that is saved or not.
-TEST_F(RayviewScripts, AnImageBeforeSavingKnowsTheTextItIsOf) {
+// The hash of an image identifies the text of its scene, whether it is saved or not.
+TEST_F(RayviewScripts, AnImageBeforeSavingHasTheHashOfItsText) {
   const auto hash_after = [&](const std::string& script) {
     EXPECT_EQ(Follow(script + "resize 32 24\nkey S\nwait trace\n").status, 0);
     return testing::Decode(folder / "view.png").settings.at("scene_hash");
@@ -78,7 +78,7 @@ TEST_F(RayviewScripts, AnImageBeforeSavingKnowsTheTextItIsOf) {
   EXPECT_EQ(hash_after(""), edited);
 }
 
-// What was rendered for an hour and stopped is not lost when the viewer is closed.
+// A render that was stopped after an hour is kept when the viewer is closed.
 TEST_F(RayviewScripts, AStoppedImageIsContinuedByRaypro) {
   const std::vector<std::string> options{"-samples", "16", "-seed", "3"}, size{"-width", "96", "-height", "64"};
   const std::string checkpoint = folder / "view.png.checkpoint";
@@ -86,7 +86,8 @@ TEST_F(RayviewScripts, AStoppedImageIsContinuedByRaypro) {
   const Finished viewed = Follow(script + "print\n", options);
   ASSERT_EQ(viewed.status, 0) << viewed.error;
   ASSERT_TRUE(std::filesystem::exists(checkpoint)) << viewed.output;
-  EXPECT_NE(viewed.output.find("so does raypro -resume, from " + checkpoint), std::string::npos) << viewed.output;
+  EXPECT_NE(viewed.output.find("raypro -resume also continues, from " + checkpoint), std::string::npos)
+      << viewed.output;
   const auto raypro = [&](const std::string& out, const std::vector<std::string>& more) {
     return testing::RunProgram(
         testing::With(testing::With({scene, folder / out, "-quiet"}, testing::With(options, size)), more));
@@ -97,20 +98,20 @@ TEST_F(RayviewScripts, AStoppedImageIsContinuedByRaypro) {
   ASSERT_EQ(raypro("fresh.png", {}).status, 0);
   EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "fresh.png").image);
 
-  // Gone on with in the viewer itself, nothing is left of it.
+  // Once the viewer itself continues the render, no checkpoint remains.
   std::filesystem::remove(folder / "view.png");
   ASSERT_EQ(Follow(script + "key S\nwait trace\n", options).status, 0);
   EXPECT_FALSE(std::filesystem::exists(checkpoint));
   EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "fresh.png").image);
 
-  // Nor does another render take the place of a checkpoint, which may be of hours.
+  // Another render must not replace a checkpoint either, which may contain hours of work.
   std::filesystem::remove(folder / "view.png");
   WriteFile(checkpoint, "somebody's");
   ASSERT_EQ(Follow(script, options).status, 0);
   EXPECT_EQ(ReadFile(checkpoint), "somebody's");
 }
 
-TEST_F(RayviewScripts, FocusOnAPointIsWrittenIntoTheScene) {
+TEST_F(RayviewScripts, FocusOnAPointIsWrittenToTheScene) {
   ASSERT_EQ(Follow("resize 96 64\nmove 48 30\nkey K\nkey Control+S\nkey S\nwait trace\n").status, 0);
   const std::string after = ReadFile(scene);
   EXPECT_NE(after.find("\nset focus "), std::string::npos) << after;

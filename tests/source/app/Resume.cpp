@@ -1,4 +1,4 @@
-// raypro -resume and what it goes on from, from outside.
+// Runs of raypro -resume, and the checkpoints that it accepts.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -12,13 +12,13 @@ namespace {
 const std::string soft_shadow =
     "area_light 1 1 1  0 3 0  0 -1 0  0.8  1 0 0\nsphere -1  0 0 0  0.5\nbox -1  -2 -0.6 -2  2 -0.5 2\n";
 
-/// A render of 24x16 pixels with these options besides.
-Finished RenderWith(const std::string& scene, const std::string& picture, std::vector<std::string> words) {
-  words.insert(words.begin(), {scene, picture, "-width", "24", "-height", "16"});
+/// Renders 24x16 pixels with additional options.
+Finished RenderWith(const std::string& scene, const std::string& image, std::vector<std::string> words) {
+  words.insert(words.begin(), {scene, image, "-width", "24", "-height", "16"});
   return RunProgram(words);
 }
 
-TEST(Resume, WithoutACheckpointBeginsAndSaysSo) {
+TEST(Resume, WithoutACheckpointBeginsAndReportsIt) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder place;
   const std::string scene = WriteFile(place / "in.scn", soft_shadow);
@@ -28,7 +28,7 @@ TEST(Resume, WithoutACheckpointBeginsAndSaysSo) {
   EXPECT_EQ(place.Others({"in.scn", "out.png"}), std::vector<std::string>{});
 }
 
-TEST(Resume, AddsSamplesAsIfAskedForAtOnce) {
+TEST(Resume, AddsSamplesAsIfRequestedAtOnce) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder place;
   const std::string scene = WriteFile(place / "in.scn", soft_shadow);
@@ -50,10 +50,10 @@ TEST(Resume, AddsSamplesAsIfAskedForAtOnce) {
       }
 }
 
-TEST(Resume, RefusesWhatWouldNotBeThePictureOfOneRun) {
+TEST(Resume, RefusesAnythingButTheImageOfOneRun) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder place;
-  const std::string scene = WriteFile(place / "in.scn", soft_shadow), picture = place / "a.pfm";
+  const std::string scene = WriteFile(place / "in.scn", soft_shadow), image = place / "a.pfm";
   const struct {
     std::vector<std::string> first, then;
     const char* reason;
@@ -70,38 +70,38 @@ TEST(Resume, RefusesWhatWouldNotBeThePictureOfOneRun) {
   for (auto [first, then, reason] : cases) {
     first.insert(first.end(), {"-keep_checkpoint", "-restart"});
     then.emplace_back("-resume");
-    ASSERT_EQ(RenderWith(scene, picture, first).status, 0) << reason;
-    const std::string before = ReadFile(picture);
-    const Finished done = RenderWith(scene, picture, then);
+    ASSERT_EQ(RenderWith(scene, image, first).status, 0) << reason;
+    const std::string before = ReadFile(image);
+    const Finished done = RenderWith(scene, image, then);
     EXPECT_EQ(done.status, 3) << reason;
     EXPECT_TRUE(Has(done.error, reason)) << done.error;
-    EXPECT_TRUE(ReadFile(picture) == before);
+    EXPECT_TRUE(ReadFile(image) == before);
   }
-  // Not by its hash, which nobody knows.
+  // The hash means nothing to a user.
   WriteFile(scene, soft_shadow + std::string("sphere -1  0 9 0  .1\n"));
-  const Finished other = RenderWith(scene, picture, {"-samples", "4", "-resume"});
+  const Finished other = RenderWith(scene, image, {"-samples", "4", "-resume"});
   EXPECT_EQ(other.status, 3);
   EXPECT_TRUE(Has(other.error, "cannot resume: the checkpoint belongs to a different scene\n")) << other.error;
 }
 
-/// A render of two seconds, whatever the number of processors, and what it leaves when a signal ends it after half of
-/// one.
+/// A render of two seconds on any number of processors, and the files that it leaves when a signal ends it after half
+/// of one.
 class Interrupted : public ::testing::Test {
  protected:
-  std::vector<std::string> Command(const std::string& picture, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> words{place / "in.scn", place / picture, "-width",   "64", "-height", "64",
-                                   "-samples",       "3000",          "-threads", "1"};
+  std::vector<std::string> Command(const std::string& image, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{place / "in.scn", place / image, "-width",   "64", "-height", "64",
+                                   "-samples",       "3000",        "-threads", "1"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
-  Finished Interrupt(const std::string& picture, const std::vector<std::string>& more = {}) const {
-    Running running(Command(picture, more));
+  Finished Interrupt(const std::string& image, const std::vector<std::string>& more = {}) const {
+    Running running(Command(image, more));
     running.WaitUntilItCatches(SIGINT);
     std::this_thread::sleep_for(std::chrono::milliseconds(400));
     running.Send(SIGINT);
     return running.Wait();
   }
-  std::string Info(const std::string& picture) const { return RunProgram({"-info", place / picture}).output; }
+  std::string Info(const std::string& image) const { return RunProgram({"-info", place / image}).output; }
 
   TemporaryFolder place;
   const std::string scene = WriteFile(place / "in.scn", "sphere -1  0 0 0  1\n");
@@ -109,31 +109,30 @@ class Interrupted : public ::testing::Test {
 
 using Names = std::vector<std::string>;
 
-TEST_F(Interrupted, ARenderLeavesAFinishedPictureAndWritesBesideIt) {
+TEST_F(Interrupted, ARenderLeavesAFinishedImageAndWritesBesideIt) {
   NEEDS_THE_PROGRAM();
   for (const std::string extension : {"png", "pfm"}) {
-    const std::string picture = "out." + extension, partial = "out.partial." + extension;
-    ASSERT_EQ(RenderWith(scene, place / picture, {}).status, 0);
-    const std::string before = ReadFile(place / picture);
-    const Finished done = Interrupt(picture);
+    const std::string image = "out." + extension, partial = "out.partial." + extension;
+    ASSERT_EQ(RenderWith(scene, place / image, {}).status, 0);
+    const std::string before = ReadFile(place / image);
+    const Finished done = Interrupt(image);
     EXPECT_EQ(done.status, 130) << done.error;
-    EXPECT_TRUE(Has(done.error, "is left as it was; the image so far is '" + place / partial + "'")) << done.error;
+    EXPECT_TRUE(Has(done.error, "is unchanged; the image so far is '" + place / partial + "'")) << done.error;
     EXPECT_TRUE(Has(done.output, partial + " 64x64")) << done.output;
-    EXPECT_TRUE(ReadFile(place / picture) == before);
-    EXPECT_EQ(place.Others({"in.scn", picture, partial, partial + ".checkpoint"}), Names{});
+    EXPECT_TRUE(ReadFile(place / image) == before);
+    EXPECT_EQ(place.Others({"in.scn", image, partial, partial + ".checkpoint"}), Names{});
 
-    const Finished resumed = RunProgram(Command(picture, {"-resume"}));
+    const Finished resumed = RunProgram(Command(image, {"-resume"}));
     EXPECT_EQ(resumed.status, 0) << resumed.error;
-    EXPECT_EQ(place.Others({"in.scn", picture}), Names{});
-    const std::string after = ReadFile(place / picture);
-    ASSERT_EQ(RunProgram(Command(picture)).status, 0);
-    EXPECT_TRUE(ReadFile(place / picture) == after)
-        << "a resumed render gives the file of one that was not interrupted";
-    std::filesystem::remove(place / picture);
+    EXPECT_EQ(place.Others({"in.scn", image}), Names{});
+    const std::string after = ReadFile(place / image);
+    ASSERT_EQ(RunProgram(Command(image)).status, 0);
+    EXPECT_TRUE(ReadFile(place / image) == after) << "a resumed render gives the file of one that was not interrupted";
+    std::filesystem::remove(place / image);
   }
 }
 
-TEST_F(Interrupted, ARenderReplacesThePictureOfAnInterruptedOne) {
+TEST_F(Interrupted, ARenderReplacesTheImageOfAnInterruptedOne) {
   NEEDS_THE_PROGRAM();
   for (const Names& more : {Names{}, Names{"-resume"}, Names{"-restart"}}) {
     const Finished done = Interrupt("out.png", more);
@@ -144,17 +143,17 @@ TEST_F(Interrupted, ARenderReplacesThePictureOfAnInterruptedOne) {
   }
 }
 
-// Hours were once lost to a second command of the same name.
-TEST_F(Interrupted, ARendersCheckpointIsNoOtherRendersToTake) {
+// Regression: a second command with the same output discarded hours of work.
+TEST_F(Interrupted, ARenderTakesNoOtherRendersCheckpoint) {
   NEEDS_THE_PROGRAM();
   ASSERT_EQ(Interrupt("out.png").status, 130);
-  const std::string checkpoint = ReadFile(place / "out.png.checkpoint"), picture = ReadFile(place / "out.png");
+  const std::string checkpoint = ReadFile(place / "out.png.checkpoint"), image = ReadFile(place / "out.png");
   const Finished other = RenderWith(scene, place / "out.png", {});
   EXPECT_EQ(other.status, 2);
   EXPECT_TRUE(Has(other.error, "out.png.checkpoint'; -resume continues from it, -restart")) << other.error;
-  EXPECT_EQ(RenderWith(scene, place / "out.png", {"-resume"}).status, 3);  // it is of another size
+  EXPECT_EQ(RenderWith(scene, place / "out.png", {"-resume"}).status, 3);  // it has another size
   EXPECT_EQ(RenderWith(scene, place / "out.png", {"-resume", "-restart"}).status, 2);
-  EXPECT_TRUE(ReadFile(place / "out.png.checkpoint") == checkpoint && ReadFile(place / "out.png") == picture);
+  EXPECT_TRUE(ReadFile(place / "out.png.checkpoint") == checkpoint && ReadFile(place / "out.png") == image);
 
   EXPECT_EQ(RenderWith(scene, place / "out.png", {"-restart"}).status, 0);
   EXPECT_TRUE(Has(Info("out.png"), "pixels: complete"));
@@ -170,17 +169,17 @@ TEST_F(Interrupted, ARenderCanResumeToFewerSamples) {
   EXPECT_TRUE(ReadFile(place / "out.pfm") == ReadFile(place / "whole.pfm"));
 }
 
-TEST_F(Interrupted, AddingSamplesLeavesTheFinishedPictureAndItsCheckpoint) {
+TEST_F(Interrupted, AddingSamplesLeavesTheFinishedImageAndItsCheckpoint) {
   NEEDS_THE_PROGRAM();
   ASSERT_EQ(RunProgram({scene, place / "out.pfm", "-width", "64", "-height", "64", "-samples", "4", "-keep_checkpoint"})
                 .status,
             0);
-  const std::string checkpoint = ReadFile(place / "out.pfm.checkpoint"), picture = ReadFile(place / "out.pfm");
+  const std::string checkpoint = ReadFile(place / "out.pfm.checkpoint"), image = ReadFile(place / "out.pfm");
   ASSERT_EQ(Interrupt("out.pfm", {"-resume"}).status, 130);
-  EXPECT_TRUE(ReadFile(place / "out.pfm.checkpoint") == checkpoint && ReadFile(place / "out.pfm") == picture);
+  EXPECT_TRUE(ReadFile(place / "out.pfm.checkpoint") == checkpoint && ReadFile(place / "out.pfm") == image);
   EXPECT_EQ(RunProgram(Command("out.pfm", {"-resume", "-keep_checkpoint"})).status, 0);
   EXPECT_EQ(place.Others({"in.scn", "out.pfm", "out.pfm.checkpoint"}), Names{});
-  EXPECT_NE(ReadFile(place / "out.pfm"), picture);
+  EXPECT_NE(ReadFile(place / "out.pfm"), image);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Scripts that users run: what they promise, and that a program which fails is not passed over.
+// Scripts for users: their documented behavior, and that they report a program that fails.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -22,7 +22,7 @@ struct Ended {
   std::string said;
 };
 
-/// Runs a script of script/ in a folder of its own; `words` as the shell takes them.
+/// Runs a script of script/ in its own folder; `words` is written as in the shell.
 Ended RunScript(const TemporaryFolder& place, const std::string& script, const std::string& words,
                 const std::string& environment = {}) {
   const std::string command = "cd '" + place.Path().string() + "' && " + environment + " '" +
@@ -34,7 +34,7 @@ Ended RunScript(const TemporaryFolder& place, const std::string& script, const s
 
 const std::string small_frames = " -width 32 -height 24 -frames 2 -keep";
 
-/// The frames of a movie that was kept, in the folder that its script names.
+/// Returns the frames of a movie that was kept, from the folder that its script prints.
 std::filesystem::path FramesOf(const TemporaryFolder& place, const Ended& ended) {
   const std::string before = "the frames are in ";
   const std::size_t at = ended.said.find(before);
@@ -58,7 +58,7 @@ TEST(MovieScript, AnOptionThatChangesLeavesTheCameraAsItIs) {
   EXPECT_EQ(testing::Decode(FramesOf(place, ended) / "frame00001.jpg").image, testing::Decode(place / "one.jpg").image);
 }
 
-// Among them a camera that is rolled, and one of a scene a ten-thousandth of a unit wide.
+// Including a camera that is rolled, and a scene a ten-thousandth of a unit wide.
 TEST(MovieScript, TheFirstOrbitFrameIsTheScenesOwnView) {
   NEEDS_THE_PROGRAM();
   NEEDS_RAYIMG();
@@ -131,7 +131,7 @@ TEST(MovieScript, ATourGoesThroughTheBookmarksOfTheViewer) {
   EXPECT_TRUE(Has(refused.said, "-bookmarks needs two of them")) << refused.said;
 }
 
-TEST(MovieScript, WhatCannotBeWrittenIsRefusedBeforeTheFirstFrame) {
+TEST(MovieScript, UnwritableFilesAreRefusedBeforeTheFirstFrame) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const Ended ended = RunScript(place, "movie.sh", "-turntable in.scn out.mov");
@@ -153,8 +153,8 @@ TEST(ParallelScript, NamesAreNeverPatterns) {
   }
 }
 
-/// Runs movie.sh with a raypro that takes note of each frame that it renders, in "rendered", and refuses the frame that
-/// a file "refuse" names.
+/// Runs movie.sh with a raypro that records each frame that it renders in the file "rendered", and refuses the frame
+/// that the file "refuse" names.
 Ended CountedMovie(const TemporaryFolder& place, const std::string& words) {
   const std::string raypro = WriteFile(place / "raypro.sh", R"x(#!/bin/sh
 case "$*" in *-check* | *-convert*) exec "$REAL" "$@" ;; esac
@@ -168,7 +168,7 @@ exec "$REAL" "$@"
 
 constexpr const char* moving = "define t 0\ncamera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nsphere -1  $t 0 0  1\n";
 
-TEST(MovieScript, WhatIsRefusedIsRefusedBeforeTheFirstFrame) {
+TEST(MovieScript, MistakesAreReportedBeforeTheFirstFrame) {
   NEEDS_THE_PROGRAM();
   NEEDS_RAYIMG();
   const struct {
@@ -194,7 +194,7 @@ TEST(MovieScript, WhatIsRefusedIsRefusedBeforeTheFirstFrame) {
       {"-turntable -frames 08 in.scn out.avi", 2, "-frames must be a whole number"},
       {"-to '0 0 5 0 0 -1 0 1 0 0,4' in.scn out.avi", 2, "-to must be a number"},
       {"-to '0 0 5 0 0 -1 0 1 0' in.scn out.avi", 2, "-to needs ten numbers"},
-      {"-to '0 0 5 0 0 0 0 1 0 .4' in.scn out.avi", 3, "frame00047.scn:2"},  // no direction at the end of the way
+      {"-to '0 0 5 0 0 0 0 1 0 .4' in.scn out.avi", 3, "frame00047.scn:2"},  // no direction at the end
       {"-turntable in.scn nowhere/out.avi", 4, "the folder 'nowhere' does not exist"},
       {"-turntable in.scn folder.avi", 4, "it is a folder"},
       {"-turntable in.scn out.avi -samples 0", 2, "-samples"},
@@ -223,7 +223,7 @@ TEST(MovieScript, ItsOwnCamerasAreNoReasonForWarnings) {
   }
 }
 
-TEST(MovieScript, FramesOutliveWhatFailsAfterThem) {
+TEST(MovieScript, FramesOutliveLaterFailures) {
   NEEDS_THE_PROGRAM();
   NEEDS_RAYIMG();
   const std::string words = "-define t 0 1 -frames 3 in.scn out.avi";

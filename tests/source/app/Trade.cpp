@@ -1,4 +1,4 @@
-// The options that trade time for truth, as words and from outside.
+// The options that trade time for accuracy, on the command line and in runs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "R2/ImageFile.h"
 #include "source/app/Status.h"
-#include "source/app/files/LayerPictures.h"
+#include "source/app/files/LayerImages.h"
 #include "source/app/options/BudgetWords.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Preset.h"
@@ -50,10 +50,10 @@ TEST(TradeWords, AFilterHasANameAndTheCoursesNumber) {
   }
 }
 
-TEST(TradeWords, LayersBesideADenoisedImageAreLeftAsTheyAre) {
-  const RenderSettings picture = Parsed({"-denoise", "-samples", "4", "-layers", "albedo"}).render;
-  EXPECT_TRUE(picture.denoise);
-  EXPECT_FALSE(SettingsForLayer(picture, Layer::albedo).denoise);
+TEST(TradeWords, LayersBesideADenoisedImageAreUnchanged) {
+  const RenderSettings image = Parsed({"-denoise", "-samples", "4", "-layers", "albedo"}).render;
+  EXPECT_TRUE(image.denoise);
+  EXPECT_FALSE(SettingsForLayer(image, Layer::albedo).denoise);
 }
 
 TEST(TradeWords, DenoiseNeedsLightSamplesAndTimeThatItKnows) {
@@ -72,7 +72,7 @@ TEST(TradeWords, NeighborsAndGridsTakeSomeCounts) {
   EXPECT_EQ(Parsed({"-reference", "a.exr,b.exr"}).files.reference, (List{"a.exr", "b.exr"}));
 }
 
-TEST(TradeWords, AnErrorHasAUnitBehindItsNumber) {
+TEST(TradeWords, AnErrorHasAUnitAfterItsNumber) {
   const struct {
     const char* word;
     double value;
@@ -126,7 +126,7 @@ TEST(TradeWords, OptionsOverridePresetsInAnyOrder) {
   EXPECT_EQ(Parsed({"-quality", "custom"}).render.samples, 1);
 }
 
-// From outside.
+// Runs of the program.
 
 TEST(Replay, RepeatsRendersEndedByErrorOrTimeToTheByte) {
   NEEDS_THE_PROGRAM();
@@ -212,8 +212,8 @@ TEST(Replay, MakesADenoisedImageAgainToTheByte) {
   EXPECT_TRUE(Has(other.error, "-denoise")) << other.error;
 }
 
-/// Renders a.pfm and its report r.json with a time limit and -denoise. A machine that is busy otherwise may take seconds
-/// to get to the first ray, and then rightly leaves the image as it is; so the limit is doubled until it is denoised.
+/// Renders a.pfm and its report r.json with a time limit and -denoise. On a busy machine, the first ray may come after
+/// seconds, and the image is then correctly not denoised; so the limit is doubled until it is.
 Finished RunDenoisedInTime(const Place& place, const List& words) {
   constexpr int most = 128;  // seconds
   Finished run;
@@ -239,7 +239,7 @@ TEST(Replay, RepeatsTimedDenoisedImagesToTheByte) {
   }
 }
 
-// A replay that denoised it would not be the same image.
+// If the replay denoised it, the image would differ.
 TEST(Time, TooShortForDenoisingWarnsAndReplaysSkipItToo) {
   NEEDS_THE_PROGRAM();
   const Place place;
@@ -254,9 +254,9 @@ TEST(Time, TooShortForDenoisingWarnsAndReplaysSkipItToo) {
   EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
 }
 
-// The JSON library words a value by recursion: a report nested so deep once overflowed the stack while its error was
-// being written.
-TEST(Replay, RefusesAReportNestedWithoutEnd) {
+// Regression: the JSON library formats a value by recursion, and a deeply nested report overflowed the stack while its
+// error was being written.
+TEST(Replay, RefusesADeeplyNestedReport) {
   NEEDS_THE_PROGRAM();
   const Place place;
   ASSERT_EQ(place.Run("a.ppm", {"-report", place / "r.json"}).status, 0);
@@ -275,7 +275,7 @@ TEST(Replay, RefusesAReportNestedWithoutEnd) {
   }
 }
 
-TEST(Replay, TellsOfALongValueInShort) {
+TEST(Replay, ShortensALongValueInItsMessage) {
   NEEDS_THE_PROGRAM();
   const Place place;
   ASSERT_EQ(place.Run("a.ppm", {"-report", place / "r.json"}).status, 0);
@@ -290,7 +290,7 @@ TEST(Replay, TellsOfALongValueInShort) {
   EXPECT_LT(done.error.size(), 400u);
 }
 
-// K11 of the hard inputs: a reference and a report were once replaced by what the run wrote under the same name.
+// K11 of the hard inputs. Regression: a run replaced its reference and its report by outputs of the same name.
 TEST(InputsOfTheCommandLine, AreNeverOverwritten) {
   NEEDS_THE_PROGRAM();
   const Place place;
@@ -298,10 +298,10 @@ TEST(InputsOfTheCommandLine, AreNeverOverwritten) {
   std::filesystem::copy_file(place / "first.png", place / "picture.checkpoint");
   std::filesystem::copy_file(place / "first.json", place / "picture.png.checkpoint");
   std::filesystem::create_hard_link(place / "first.png", place / "same.png");
-  const std::string picture = ReadFile(place / "first.png"), report = ReadFile(place / "first.json");
+  const std::string image = ReadFile(place / "first.png"), report = ReadFile(place / "first.json");
   const std::string replay = place / "first.json", reference = place / "first.png";
   const struct {
-    std::string picture;
+    std::string image;
     List words;
   } runs[] = {{"first.png", {"-reference", reference}},
               {"same.png", {"-reference", reference}},
@@ -313,7 +313,7 @@ TEST(InputsOfTheCommandLine, AreNeverOverwritten) {
     const Finished done = place.Run(name, words);
     EXPECT_EQ(done.status, 4) << name << done.error;
     EXPECT_TRUE(Has(done.error, "it is the input")) << done.error;
-    EXPECT_TRUE(ReadFile(place / "first.png") == picture && ReadFile(place / "first.json") == report);
+    EXPECT_TRUE(ReadFile(place / "first.png") == image && ReadFile(place / "first.json") == report);
     EXPECT_TRUE(ReadFile(place / "picture.png.checkpoint") == report);
   }
 }

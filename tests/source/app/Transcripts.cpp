@@ -1,4 +1,4 @@
-// What the documentation shows of a program's answers is what the program answers, but for what clocks say.
+// The documentation shows the current output of a program, except for times.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -10,7 +10,7 @@
 namespace ray::testing {
 namespace {
 
-/// The lines behind `command` in a page that are indented as it is, up to the first that is not.
+/// Returns the lines after `command` in a page that have its indentation, up to the first line that does not.
 std::string TranscriptOf(const std::string& page, const std::string& command) {
   const std::string indent = "    ";
   std::istringstream lines(page.substr(page.find(indent + command + "\n")));
@@ -21,13 +21,13 @@ std::string TranscriptOf(const std::string& page, const std::string& command) {
   return transcript.substr(transcript.find_first_not_of('\n'));
 }
 
-/// How many samples per pixel -advise says that some settings take.
+/// Returns the samples per pixel that -advise states for some settings.
 struct AdvisedSamples {
   std::string settings;
   double samples;
 };
 
-/// The rows of the table that -advise prints.
+/// Returns the rows of the table that -advise prints.
 std::vector<AdvisedSamples> SamplesOfAdvice(const std::string& advice) {
   static const std::regex row(R"((as asked|-\w+ \w+) +([0-9.]+) +[0-9.]+)");
   std::vector<AdvisedSamples> rows;
@@ -38,15 +38,15 @@ std::vector<AdvisedSamples> SamplesOfAdvice(const std::string& advice) {
   return rows;
 }
 
-// It went on showing the answer of an earlier version.
-TEST(Transcripts, AdviceOfTheDocsIsWhatIsPrinted) {
+// Regression: the page showed the output of an earlier version.
+TEST(Transcripts, AdviceOfTheDocsIsTheProgramsOutput) {
   NEEDS_THE_PROGRAM();
   const std::string command = "raypro scenes/hello.scn -width 512 -height 512 -advise";
   const std::string shown = TranscriptOf(ReadFile(project::Root() / "docs/accuracy.md"), command);
   const std::string scene = (project::Root() / "scenes/hello.scn").string();
   const std::string now = RunProgram({scene, "-width", "512", "-height", "512", "-advise"}).output;
   const auto heading_of = [](const std::string& text) { return text.substr(0, text.find("\nas asked")); };
-  // Machines that are much slower or faster have time for fewer or more squares, which need other samples.
+  // Much slower or faster machines have time for fewer or more squares, which need other samples.
   if (!now.starts_with("From 256 squares"))
     GTEST_SKIP() << "not as fast as the docs' machine: " << now.substr(0, now.find('\n'));
   EXPECT_EQ(heading_of(now), heading_of(shown));

@@ -1,4 +1,4 @@
-// The program itself, from outside: what it makes, prints and refuses.
+// Runs of the program: its images, its output and its errors.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Raypro, MakesAPictureAndSaysSoInOneLine) {
+TEST(Raypro, MakesAnImageAndReportsItInOneLine) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const Finished done = RunProgram({place.Scene(), place / "out.png", "-width", "32", "-height=16"});
@@ -24,7 +24,7 @@ TEST(Raypro, MakesAPictureAndSaysSoInOneLine) {
   EXPECT_EQ(place.Others({"in.scn", "out.png"}), nothing);
 }
 
-TEST(Raypro, ThePictureTellsHowItWasMade) {
+TEST(Raypro, TheImageStatesItsSettings) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   for (const char* name : {"out.png", "out.jpg"}) {
@@ -39,7 +39,7 @@ TEST(Raypro, ThePictureTellsHowItWasMade) {
   }
 }
 
-TEST(Raypro, TheSamePictureIsTheSameBytesWhateverTheRun) {
+TEST(Raypro, TheSameImageHasTheSameBytesInEveryRun) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   for (const R2::ImageFormat& format : R2::ImageFormats()) {
@@ -56,7 +56,7 @@ TEST(Raypro, TheSamePictureIsTheSameBytesWhateverTheRun) {
   }
 }
 
-TEST(Raypro, KeepsTimesInThePictureWhereAsked) {
+TEST(Raypro, KeepsTimesInTheImageOnRequest) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   ASSERT_EQ(RunProgram({place.Scene(), place / "out.png", "-keep_times", "-threads", "3"}).status, 0);
@@ -81,8 +81,8 @@ TEST(Raypro, ReadsScenesFromStandardInputAndLocatesMistakes) {
   EXPECT_TRUE(refused.error.starts_with("<stdin>:3:3: error: unknown command 'spere'")) << refused.error;
 }
 
-// Otherwise pictures of two scenes would pass for dependent, and one scene would resume the other.
-TEST(Raypro, ScenesFromStandardInputAreToldApart) {
+// Otherwise images of two scenes would pass for dependent, and one scene would resume the other.
+TEST(Raypro, ScenesFromStandardInputAreDistinguished) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   const std::string other = WriteFile(place / "other.scn", "box -1  0 0 0  1 1 1\n");
@@ -107,7 +107,7 @@ TEST(Raypro, WritesAPngAndNothingElseToStandardOutput) {
   EXPECT_EQ(RunProgram({place.Scene(), "-", "-resume"}).status, 2);
 }
 
-/// Runs a command of the shell in the folder; gives its status and all that it printed.
+/// Runs a shell command in the folder; returns its status and its whole output.
 Finished Shell(const TemporaryFolder& place, const std::string& command) {
   const std::string all = "cd '" + place.Path().string() + "' && { " + command + "\n} > said 2>&1";
   const int status = std::system(all.c_str());
@@ -120,7 +120,7 @@ TEST(Raypro, PipesByNameAreTheStreamsThatTheyName) {
   const SceneFolder place;
   const std::string size = " -width 16 -height 16 -quiet";
   ASSERT_EQ(Shell(place, "\"$RAYPRO\" in.scn named.pfm" + size).status, 0);
-  // As a shell's <(...) has it, a pipe is descriptor 9 and not 0.
+  // In a shell's <(...), a pipe is descriptor 9 and not 0.
   for (const std::string command :
        {"cat in.scn | \"$RAYPRO\" /dev/stdin out.pfm", "\"$RAYPRO\" /dev/fd/0 out.pfm < in.scn",
         "cat in.scn | \"$RAYPRO\" /dev/fd/9 out.pfm 9<&0 < /dev/null"}) {
@@ -173,7 +173,7 @@ TEST(Raypro, ALoneMeshRendersBesideItselfButSparesWhatIsThere) {
   for (const auto& [name, text] : meshes) {
     const std::string mesh = WriteFile(place / name, text), image = place / (name.substr(0, 1) + ".png");
     const std::vector<std::string> words{mesh, "-width", "8", "-height", "8"};
-    for (int time = 0; time < 2; ++time) {  // over its own image, too
+    for (int time = 0; time < 2; ++time) {  // over its own image too
       const Finished done = RunProgram(words);
       EXPECT_EQ(done.status, 0) << name << done.error;
       EXPECT_EQ(Decode(image).image.Width(), 8) << name;
@@ -253,7 +253,7 @@ TEST(Raypro, RendersScenesIntoAFolderDespiteOneThatFails) {
   EXPECT_FALSE(fs::exists(place / "images/last.png"));
 }
 
-// The picture of one scene once took the place of another's texture, which then was rendered with it.
+// Regression: the image of one scene replaced the texture of another, which then was rendered with it.
 TEST(Raypro, NoScenesImageReplacesWhatAnotherSceneReads) {
   NEEDS_THE_PROGRAM();
   if (!R2::FormatForName("a.png")) GTEST_SKIP() << "no PNG in this build";
@@ -268,7 +268,7 @@ TEST(Raypro, NoScenesImageReplacesWhatAnotherSceneReads) {
     EXPECT_EQ(done.status, 4) << done.error;
     EXPECT_TRUE(Has(done.error, "it is the input")) << done.error;
     EXPECT_TRUE(ReadFile(place / texture) == before) << texture;
-    EXPECT_EQ(Decode(place / "other.png").settings["samples"], "4") << "what is wrong with one stops no other";
+    EXPECT_EQ(Decode(place / "other.png").settings["samples"], "4") << "a mistake in one does not stop the others";
   }
 }
 
@@ -297,7 +297,7 @@ TEST(Extremes, G4_SizesOverTheLimitAreRefusedBeforeAllocating) {
   }
 }
 
-TEST(Extremes, G10_ManyThreadsMakeTheSamePicture) {
+TEST(Extremes, G10_ManyThreadsMakeTheSameImage) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
   std::string first;

@@ -13,7 +13,7 @@
 #include "tests/Project.h"
 #include "tests/source/app/Program.h"
 
-// The real program, drawing without a window wherever one is not what is tried.
+// The real program, which draws without a window unless the window itself is tested.
 namespace ray {
 namespace {
 
@@ -26,9 +26,9 @@ std::string Scene(const std::string& name) {
   return std::filesystem::canonical(project::Root() / "scenes" / name).string();
 }
 
-R2::Image Picture(const std::string& file) { return testing::Decode(file).image; }
+R2::Image ImageFrom(const std::string& file) { return testing::Decode(file).image; }
 
-// For programs built to look for leaks: GLX and OSMesa keep memory of their own to the end. EGL does not.
+// For programs built with a leak detector: GLX and OSMesa keep memory to the end, EGL does not.
 constexpr const char* drivers_leak = "detect_leaks=0";
 
 class Rayview : public ::testing::Test {
@@ -41,7 +41,7 @@ class Rayview : public ::testing::Test {
   Finished Run(const std::vector<std::string>& words) const {
     return testing::RunProgram(words, {.program = "RAYVIEW", .environment = environment});
   }
-  /// Without a window, doing what a script says.
+  /// Runs a script without a window.
   Finished Follow(const std::string& scene, const std::string& script, std::vector<std::string> more = {}) const {
     more.insert(more.begin(), {scene, "-headless", "-events", WriteFile(folder / "script.events", script), "-width",
                                "96", "-height", "64"});
@@ -52,8 +52,8 @@ class Rayview : public ::testing::Test {
   std::map<std::string, std::string> environment;
 };
 
-// Scripts do the same for everybody.
-TEST_F(Rayview, ScriptsNeitherUseNorChangeAUsersHabits) {
+// Scripts behave the same for every user.
+TEST_F(Rayview, ScriptsNeitherUseNorChangeAUsersPreferences) {
   environment["XDG_CONFIG_HOME"] = folder / "config";
   std::filesystem::create_directories(folder / "config/raypro");
   const std::string habits = WriteFile(folder / "config/raypro/rayview", "theme pink\n");
@@ -125,8 +125,8 @@ TEST_F(Rayview, MistakesOfAnotherTracerAreNamedByItsRays) {
   }
 }
 
-// Settings of the scene before are forgotten, those that were typed stay.
-TEST_F(Rayview, ASceneThatIsReadLaterBringsItsOwnSettings) {
+// Settings of the previous scene are discarded, typed settings stay.
+TEST_F(Rayview, ASceneThatIsReadLaterUsesItsOwnSettings) {
   for (const auto& [first, then] : {std::pair{"hello.scn", "toon.scn"}, {"toon.scn", "first.scn"}}) {
     const Finished viewed = Follow(Scene(first), "drop " + Scene(then) + "\nkey S\nwait trace\n",
                                    {"-image", folder / "view.ppm", "-samples", "2"});
@@ -147,7 +147,7 @@ TEST_F(Rayview, AReloadedSceneHasItsCurrentSettings) {
   EXPECT_EQ(ReadFile(folder / "view.ppm"), ReadFile(folder / "pro.ppm"));
 }
 
-TEST_F(Rayview, OptionsOfRayproMakeThePictureOfRaypro) {
+TEST_F(Rayview, OptionsOfRayproMakeTheImageOfRaypro) {
   const std::vector<std::string> options{"-mode",    "path",  "-samples", "3",     "-filter",
                                          "mitchell", "-seed", "7",        "-quiet"};
   std::vector<std::string> view = options, pro = options;
@@ -158,7 +158,7 @@ TEST_F(Rayview, OptionsOfRayproMakeThePictureOfRaypro) {
   EXPECT_EQ(ReadFile(folder / "view.ppm"), ReadFile(folder / "pro.ppm"));
 }
 
-TEST_F(Rayview, ThePrintedCameraReloadsToThePicture) {
+TEST_F(Rayview, ThePrintedCameraReloadsToTheImage) {
   const Finished moved =
       Follow(Scene("hello.scn"), "drag left 20 20 60 33\nscroll 3 40 30\nkey [\nkey Space\nkey S\nwait trace\n",
              {"-image", folder / "moved.ppm", "-quiet"});
@@ -177,7 +177,7 @@ TEST_F(Rayview, ThePrintedCameraReloadsToThePicture) {
   EXPECT_EQ(ReadFile(folder / "moved.ppm"), ReadFile(folder / "again.ppm"));
 }
 
-// A texture, of the scene at first or of one that was opened later, is no place for a picture.
+// An image must not replace a texture of the first scene or of one that was opened later.
 TEST_F(Rayview, NoImageOverwritesAFileOfTheScene) {
   const std::string texture = folder / "texture.ppm", pixel = "P3 1 1 255 9 9 9\n";
   const std::string textured =
@@ -207,7 +207,7 @@ TEST_F(Rayview, BookmarksAreWrittenBesideTheSceneAndNowhereElse) {
   EXPECT_EQ(folder.Others({"in.scn", "in.scn.views", "in.scn.views.new", "script.events"}), testing::nothing);
 }
 
-// Which blocks go on depends on their neighbors', so that rows cannot be traced one by one.
+// Whether a block needs more samples depends on its neighbors, so that rows cannot be traced one by one.
 TEST_F(Rayview, KeySTakesSamplesWhereNeighborsDifferAsRayproDoes) {
   const std::string own = ReadFile(Scene("sphere.scn")) + "\nset samples 16\nset adaptive neighbors\n";
   for (const auto& [scene, more] : {std::pair{WriteFile(folder / "own.scn", own), std::vector<std::string>{}},
@@ -217,13 +217,13 @@ TEST_F(Rayview, KeySTakesSamplesWhereNeighborsDifferAsRayproDoes) {
     const Finished rendered = testing::RunProgram(
         testing::With({scene, folder / "pro.png", "-width", "96", "-height", "64", "-quiet"}, more));
     ASSERT_EQ(rendered.status, 0) << rendered.error;
-    EXPECT_TRUE(Picture(folder / "view.png") == Picture(folder / "pro.png")) << scene;
+    EXPECT_TRUE(ImageFrom(folder / "view.png") == ImageFrom(folder / "pro.png")) << scene;
     EXPECT_TRUE(testing::Has(testing::Decode(folder / "view.png").settings["command"], "-adaptive neighbors"));
   }
 }
 
-// What was dropped was read after the names of all outputs had been checked.
-TEST_F(Rayview, WhatWasDroppedIsNeverOverwritten) {
+// Regression: a dropped file was read after the names of all outputs had been checked.
+TEST_F(Rayview, DroppedFilesAreNeverOverwritten) {
   const std::string texture = folder / "texture.ppm", plain = WriteFile(folder / "plain.scn", testing::small_scene);
   ASSERT_EQ(testing::RunProgram({plain, texture, "-width", "8", "-height", "8"}).status, 0);
   const std::string bytes = ReadFile(texture);
@@ -280,8 +280,8 @@ TEST_F(Rayview, EveryContextDrawsTheSameBytes) {
     if (run.status == 0) drawn.push_back(ReadFile(file));
   }
   if (drawn.size() < 2) GTEST_SKIP() << "this machine has one kind of context only";
-  // The last line tells seconds; it is in the lower left corner.
-  const R2::Image a = Picture(folder / "egl.ppm"), b = Picture(folder / "osmesa.ppm");
+  // The last line contains seconds; it is in the lower left corner.
+  const R2::Image a = ImageFrom(folder / "egl.ppm"), b = ImageFrom(folder / "osmesa.ppm");
   for (int y = 24; y < a.Height(); ++y)
     for (int x = 0; x < a.Width(); ++x) ASSERT_EQ(a.At(x, y), b.At(x, y)) << x << " " << y;
 }
@@ -312,7 +312,8 @@ TEST_F(Rayview, ARecordingDoesTheSameAgain) {
   EXPECT_EQ(ReadFile(folder / "a.ppm"), ReadFile(folder / "b.ppm"));
 }
 
-// What had passed since the last event was forgotten, so that messages were back that had faded from the window.
+// Regression: the time since the last event was not recorded, so that messages that had faded from the window were
+// back.
 TEST_F(Rayview, ARecordingOfPanelsEndsWithTheSameDrawing) {
   const std::string recorded = folder / "recorded.events";
   const std::string script =
@@ -334,7 +335,7 @@ TEST_F(Rayview, SettingsOfPanelsAreThoseOfTheSavedImage) {
   const Finished rendered = testing::RunProgram(
       {Scene("hello.scn"), folder / "pro.png", "-width", "600", "-height", "500", "-max_depth", "1", "-quiet"});
   ASSERT_EQ(rendered.status, 0) << rendered.error;
-  EXPECT_EQ(Picture(folder / "view.png"), Picture(folder / "pro.png"));
+  EXPECT_EQ(ImageFrom(folder / "view.png"), ImageFrom(folder / "pro.png"));
 }
 
 // In a scene without shadow maps and mirrors, which software takes long to draw.
@@ -365,17 +366,17 @@ TEST_F(Rayview, ThePrintedRaysAreThoseOfDebugpixel) {
 TEST_F(Rayview, ExitImmediatelyDrawsOnce) {
   const Finished run = Run({Scene("hello.scn"), "-headless", "-exit_immediately", "-output_image", folder / "o.png"});
   EXPECT_EQ(run.status, 0) << run.error;
-  EXPECT_EQ(Picture(folder / "o.png").Width(), 512);
+  EXPECT_EQ(ImageFrom(folder / "o.png").Width(), 512);
 }
 
-/// A line, no more, that holds each of some words.
+/// Exactly one line that contains each of some words.
 void ExpectOneLine(const Finished& run, int status, const std::vector<std::string>& words) {
   EXPECT_EQ(run.status, status) << run.error;
   EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << run.error;
   for (const std::string& word : words) EXPECT_NE(run.error.find(word), std::string::npos) << run.error;
 }
 
-TEST_F(Rayview, MistakesAreTold) {
+TEST_F(Rayview, MistakesAreReported) {
   environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
 #ifdef RAYVIEW_GLFW
   ExpectOneLine(Run({Scene("hello.scn")}), 1, {"rayview: ", "display", "-headless"});
@@ -394,7 +395,7 @@ TEST_F(Rayview, MistakesAreTold) {
   EXPECT_EQ(Run({Scene("hello.scn"), "-headless", "-reference", WriteFile(folder / "x.png", "no image")}).status, 3);
 }
 
-/// The window itself: what no script of events can try.
+/// The window itself, for tests that need more than a script of events.
 class RayviewWindow : public Rayview {
  protected:
   void SetUp() override {
@@ -411,7 +412,7 @@ class RayviewWindow : public Rayview {
     environment["ASAN_OPTIONS"] = drivers_leak;
     environment["XDG_CONFIG_HOME"] = folder / "config";
   }
-  /// Has xdotool do something to the window; tries until the window is there.
+  /// Makes xdotool act on the window; tries until the window exists.
   static bool Do(const std::string& actions) {
     const std::string line = "timeout 20 xdotool search --onlyvisible --name '^rayview hello.scn' windowfocus " +
                              actions + " >/dev/null 2>&1";
@@ -430,11 +431,11 @@ class RayviewWindow : public Rayview {
   std::optional<testing::Variable> display;
 };
 
-TEST_F(RayviewWindow, KeepsHowThePanelsLookOnceThatIsChanged) {
+TEST_F(RayviewWindow, KeepsTheLayoutOfPanelsOnceItIsChanged) {
   const std::string habits = folder / "config/raypro/rayview";
   // The edge of the panels, in units from the left.
   constexpr int window = 400, edge = window - 196, dragged_to = 150;
-  // Interrupted, since xdotool may fail over a window that its key closes.
+  // Interrupted, since xdotool may fail if its key closes the window.
   const auto look_at = [&](const std::string& actions) {
     testing::Running view({Scene("hello.scn"), "-width", "400", "-height", "200", "-panels", "light", "-quiet"},
                           {.program = "RAYVIEW", .environment = environment});
@@ -448,7 +449,7 @@ TEST_F(RayviewWindow, KeepsHowThePanelsLookOnceThatIsChanged) {
   };
   look_at(pointer(edge + 1, "0.3"));
   EXPECT_FALSE(std::filesystem::exists(habits)) << "nobody has changed anything";
-  // A busy machine takes longer to draw what was done.
+  // A busy machine takes longer to draw the change.
   for (const std::string pause : {"0.3", "1", "3"}) {
     look_at(pointer(edge + 1, pause) + "mousedown 1 sleep " + pause + " " + pointer(dragged_to + 1, pause) +
             "mouseup 1 sleep " + pause);
@@ -457,7 +458,7 @@ TEST_F(RayviewWindow, KeepsHowThePanelsLookOnceThatIsChanged) {
   EXPECT_EQ(ReadFile(habits), "theme light\nletters 1\nwidth " + std::to_string(window - dragged_to) + "\n");
 }
 
-TEST_F(RayviewWindow, IgnoresBrokenHabitsWithAMessage) {
+TEST_F(RayviewWindow, IgnoresBrokenPreferencesWithAMessage) {
   std::filesystem::create_directories(folder / "config/raypro");
   const std::string habits = WriteFile(folder / "config/raypro/rayview", "theme pink\n");
   const Finished viewed = Run({Scene("hello.scn"), "-exit_immediately"});
@@ -466,7 +467,7 @@ TEST_F(RayviewWindow, IgnoresBrokenHabitsWithAMessage) {
   EXPECT_EQ(ReadFile(habits), "theme pink\n");
 }
 
-TEST_F(RayviewWindow, GetsInputAndShowsWhatIsReadBack) {
+TEST_F(RayviewWindow, GetsInputAndShowsTheDrawnPixels) {
   if (std::system("command -v import >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs import, of ImageMagick";
   testing::Running view({Scene("hello.scn"), "-width", "160", "-height", "120", "-image", folder / "traced.ppm",
                          "-output_image", folder / "end.png", "-record", folder / "what.events", "-quiet"},
@@ -489,7 +490,7 @@ TEST_F(RayviewWindow, GetsInputAndShowsWhatIsReadBack) {
       testing::RunProgram({Scene("hello.scn"), folder / "pro.ppm", "-width", "160", "-height", "120", "-quiet"});
   ASSERT_EQ(rendered.status, 0);
   EXPECT_EQ(ReadFile(folder / "traced.ppm"), ReadFile(folder / "pro.ppm"));
-  const R2::Image read = Picture(folder / "end.png"), seen = Picture(folder / "shot.png");
+  const R2::Image read = ImageFrom(folder / "end.png"), seen = ImageFrom(folder / "shot.png");
   ASSERT_EQ(read.Width(), 200);
   ASSERT_EQ(read.Height(), 150);
   EXPECT_EQ(read, seen);

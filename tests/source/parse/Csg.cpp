@@ -18,7 +18,7 @@ std::string WithDoubleQuotes(std::string json) {
 const std::string look = "'material': {'color': [1, 0, 0], 'kd': 1}",
                   shining = "'materials': [{'kd': [1, 1, 1]}, {'emission': [1, 1, 1]}]";
 
-/// A cube of 2 with a round hole along z in both languages, their keys between.
+/// Returns a cube of 2 with a round hole along z in both languages, with `keys` between.
 std::string Groningen(const std::string& more,
                       const std::string& hole = "{'type': 'sphere', 'position': [0, 0, 0], 'radius': 1.2, " + look +
                                                 "}") {
@@ -69,7 +69,7 @@ TEST(CsgOfObjects, IsPlacedAndMovedAsAWhole) {
   EXPECT_TRUE(World(scene).Moves());
 }
 
-TEST(CsgOfObjects, WhatCannotBeCombinedIsAnErrorAtItsPlace) {
+TEST(CsgOfObjects, InvalidPartsAreErrorsAtTheirPosition) {
   const auto report = [](const std::string& format, const std::string& json) {
     const Folder folder;
     folder.Write("a.json", json);

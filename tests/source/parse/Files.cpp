@@ -34,8 +34,8 @@ class ScopedCurrentFolder {
   fs::path before_;
 };
 
-// A misspelled one once was allowed without a word.
-TEST(Files, AFolderThatIsAllowedIsThere) {
+// A misspelled folder was once accepted silently.
+TEST(Files, AnAllowedFolderMustExist) {
   const Folder folder;
   const std::string file = folder.Write("a.off", "top").string(), none = (folder / "none").string();
   EXPECT_EQ(ErrorOf([&] { Files("x.scn", {none}); }), "-allow_path '" + none + "': there is no such folder");
@@ -43,7 +43,7 @@ TEST(Files, AFolderThatIsAllowedIsThere) {
   EXPECT_EQ(ErrorOf([&] { Files("x.scn", {(folder / ".").string()}); }), "(none)");
 }
 
-TEST(Files, AreLookedForBesideTheFileThatNamesThem) {
+TEST(Files, AreSearchedNextToTheFileThatNamesThem) {
   const Folder folder;
   folder.Write("sub/a.off", "sub");
   folder.Write("a.off", "top");
@@ -54,7 +54,7 @@ TEST(Files, AreLookedForBesideTheFileThatNamesThem) {
   EXPECT_EQ(ReadNamed(files, (folder / "a.off").string(), folder / "sub/inner.scn"), "top");
 }
 
-TEST(Files, AreLookedForInTheCurrentFolderNext) {
+TEST(Files, AreSearchedInTheCurrentFolderNext) {
   const Folder folder, current;
   current.Write("meshes/a.off", "current");
   const ScopedCurrentFolder here(current.Path());
@@ -71,7 +71,7 @@ TEST(Files, UpwardPathsFallBackToTheScenesFolder) {
   const Files files(folder / "sub/scene.scn", {});
   EXPECT_EQ(ReadNamed(files, "../textures/a.off", folder / "sub/scene.scn"), "beside");
   ASSERT_EQ(files.Remarks().size(), 1u);
-  EXPECT_TRUE(Contains(*files.Remarks().begin(), "'../textures/a.off' is not there; "));
+  EXPECT_TRUE(Contains(*files.Remarks().begin(), "'../textures/a.off' does not exist; reading "));
   EXPECT_TRUE(
       Contains(ErrorOf([&] { files.Find("../none.off", (folder / "sub/scene.scn").string()); }), "no such file"));
   folder.Write("textures/a.off", "above");
@@ -83,7 +83,7 @@ TEST(Files, UpwardPathsFallBackToTheScenesFolder) {
 }
 
 // Scenes that were written on another computer.
-TEST(Files, PathsOfAnotherComputerAreLookedForByTheirNames) {
+TEST(Files, PathsOfAnotherComputerAreSearchedByName) {
   const Folder folder;
   folder.Write("sub/textures/a.png", "in textures");
   const std::string scene = (folder / "sub/scene.scn").string();
@@ -93,7 +93,7 @@ TEST(Files, PathsOfAnotherComputerAreLookedForByTheirNames) {
     EXPECT_EQ(ReadNamed(files, name, scene), "in textures") << name;
     EXPECT_EQ(ReadNamed(files, name, scene), "in textures");
     ASSERT_EQ(files.Remarks().size(), 1u) << name;
-    EXPECT_TRUE(Contains(*files.Remarks().begin(), " is not there; ")) << *files.Remarks().begin();
+    EXPECT_TRUE(Contains(*files.Remarks().begin(), " does not exist; reading ")) << *files.Remarks().begin();
   }
   const auto read = [&] { return ReadNamed(Files(scene, {folder.Path().string()}), "/nowhere/a.png", scene); };
   folder.Write("sub/a.png", "beside");
@@ -106,7 +106,7 @@ TEST(Files, PathsOfAnotherComputerAreLookedForByTheirNames) {
   EXPECT_EQ(read(), "above");
 }
 
-TEST(Files, NamesThatAreNotOfAnotherComputerAreNotLookedForElsewhere) {
+TEST(Files, OtherNamesAreNotSearchedElsewhere) {
   const Folder folder;
   folder.Write("textures/a.png", "x");
   const Files files(folder / "scene.scn", {});
@@ -163,7 +163,7 @@ TEST(Extremes, K1_OnlyRegularFilesAreRead) {
     return ErrorOf([&] { ReadNamed(files, name, folder / "scene.scn"); });
   };
   EXPECT_TRUE(Contains(error("sub"), "is a folder"));
-  EXPECT_TRUE(Contains(error("pipe"), "is a pipe"));  // and nobody waits for its other end
+  EXPECT_TRUE(Contains(error("pipe"), "is a pipe"));  // without waiting for its other end
   EXPECT_TRUE(Contains(error("/dev/zero"), "is a device"));
   EXPECT_EQ(error("file:///etc/passwd"), "no such file: 'file:///etc/passwd'");
 }
@@ -246,7 +246,7 @@ TEST(Files, AMissingFileIsNamedWithTheNearestOne) {
   EXPECT_EQ(ReportOf(folder, "scenes.scn"), "scenes.scn: error: no such file; did you mean 'scene.scn'?");
 }
 
-// A scene may come from a stranger: it learns nothing of folders that it may not read.
+// A scene may come from an untrusted source: it learns nothing about folders that it may not read.
 TEST(Files, HintsComeOnlyFromFoldersThatMayBeRead) {
   const Folder outside, folder;
   outside.Write("secret.off", "");
@@ -254,7 +254,7 @@ TEST(Files, HintsComeOnlyFromFoldersThatMayBeRead) {
   EXPECT_FALSE(Contains(ReportOf(folder, "scene.scn"), "did you mean"));
 }
 
-// In a deep folder, what was cut off was the very name that the author looks for.
+// In a deep folder, the truncated part was the very name that the author was looking for.
 TEST(Files, ErrorsNameTheWholePathHoweverLong) {
   const Folder folder;
   const std::string deep(100, 'd'), scene = deep + "/scene.scn";

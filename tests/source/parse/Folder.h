@@ -14,7 +14,7 @@
 
 namespace ray {
 
-/// A folder of its own for one test, gone at its end.
+/// A temporary folder for one test.
 class Folder {
  public:
   Folder() {
@@ -50,13 +50,13 @@ inline std::filesystem::path ProjectRoot() {
   return root ? root : ".";
 }
 
-/// Parses a scene that is not a file yet.
+/// Parses a scene from text.
 inline ParsedScene ParseText(std::string_view scene, const ParseOptions& options = {}) {
   const Folder folder;
   return Parse(folder.Write("scene.scn", scene), options);
 }
 
-/// The report of a scene that must fail, without the folder's name; empty if it does not fail.
+/// Returns the report of a scene that must fail, without the folder's name; empty if it does not fail.
 inline std::string ReportOf(const Folder& folder, const std::string& name, const ParseOptions& options = {}) {
   try {
     Parse(folder / name, options);

@@ -12,7 +12,7 @@ namespace {
 const std::string tall_off = "OFF\n4 4 0\n5 0 5\n6 0 5\n5 0 6\n5 9 5\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n";
 const std::string flat_off = "OFF\n4 4 0\n5 0 5\n16 0 5\n5 0 16\n5 1 5\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n";
 
-/// A render in which every surface but the ground is white, and the ground and what is behind black.
+/// Renders every surface except the ground in white, and the ground and the background in black.
 R2::Image Silhouette(const std::filesystem::path& file, int width, int height) {
   ParseOptions options;
   options.aspect = static_cast<double>(width) / height;
@@ -30,7 +30,7 @@ R2::Image Silhouette(const std::filesystem::path& file, int width, int height) {
   return project::Render(project::Stage(std::move(scene)), settings).image;
 }
 
-TEST(MeshScene, ShowsTheWholeModelWhateverTheFormOfThePicture) {
+TEST(MeshScene, ShowsTheWholeModelForAnyAspect) {
   const Folder folder;
   folder.Write("tall.off", tall_off);
   folder.Write("flat.off", flat_off);
@@ -47,7 +47,7 @@ TEST(MeshScene, ShowsTheWholeModelWhateverTheFormOfThePicture) {
         }
       EXPECT_GT(seen, 0);
       EXPECT_EQ(at_edge, 0) << name << " " << width;
-      // One side or the other decides how near the camera is.
+      // One of the two sides determines the distance of the camera.
       EXPECT_GT(std::max(static_cast<double>(high - low) / height, static_cast<double>(right - left) / width), 0.4);
     }
 }
@@ -65,7 +65,7 @@ TEST(MeshScene, HasAGroundBelowTheModelAndASkyAbove) {
   RenderSettings settings;
   settings.width = settings.height = 16;
   const R2::Image image = project::Render(project::Stage(folder / "tall.off"), settings).image;
-  EXPECT_NEAR(image.At(0, 15).b, scene.background.b, 1e-6) << "the horizon is within a square picture";
+  EXPECT_NEAR(image.At(0, 15).b, scene.background.b, 1e-6) << "the horizon is inside a square image";
   EXPECT_LT(image.At(0, 0).b, 0.9 * scene.background.b);
 }
 
@@ -79,7 +79,7 @@ TEST(MeshScene, ModelsOfPrintersStandUprightInZ) {
   EXPECT_GT(Parse(folder.Write("a.off", tall_off), {}).scene.camera.up.y, 0.9);
 }
 
-TEST(MeshScene, WhatSaysNoMaterialIsMatteGray) {
+TEST(MeshScene, AMeshWithoutAMaterialIsDiffuseGray) {
   const Folder folder;
   const Scene scene = Parse(folder.Write("tall.off", tall_off), {}).scene;
   const Material& m = scene.materials[static_cast<std::size_t>(scene.root.children[0].material)];

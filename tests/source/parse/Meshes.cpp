@@ -29,7 +29,7 @@ std::string ErrorOf(const std::string& name, std::string bytes) {
   }
 }
 
-/// What K9 asks of every prefix: a mesh whose triangles can be trusted, or a clean error.
+/// Expects K9 for every prefix: a mesh whose triangles are valid, or a clean error.
 bool Reads(const std::string& name, std::string bytes) {
   try {
     const ReadMesh read = Read(name, std::move(bytes));
@@ -92,10 +92,10 @@ TEST(Off, UndeclaredNumbersAreNotDroppedSilently) {
   const auto read = Read("a.off", "OFF 3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n");
   ASSERT_EQ(read.warnings.size(), 1u);
   EXPECT_EQ(read.warnings[0],
-            "a.off:2:7: warning: 3 vertices have ignored numbers behind those that the header declares, the first of "
+            "a.off:2:7: warning: 3 vertices have ignored numbers after those that the header declares, the first of "
             "them here");
   EXPECT_EQ(Read("a.off", "OFF 3 1 0\n0 0 0 1\n1 0 0\n0 1 0\n3 0 1 2\n").warnings.at(0),
-            "a.off:2:7: warning: 1 vertex has ignored numbers behind those that the header declares");
+            "a.off:2:7: warning: 1 vertex has ignored numbers after those that the header declares");
 }
 
 TEST(Off, FacesMissingOrToSpareAreAWarning) {
@@ -107,7 +107,7 @@ TEST(Off, FacesMissingOrToSpareAreAWarning) {
   EXPECT_EQ(many.warnings.at(0), "a.off: warning: the file has more data than the header declares");
 }
 
-// Without a line end there is no telling where data begin: none do.
+// Without a line end the start of the data is undefined: there are none.
 TEST(Ply, AHeaderWithoutALineEndHasNoData) {
   EXPECT_TRUE(Read("a.ply", "ply format ascii 1.0 end_header").data.positions.empty());
   const std::string promised =
@@ -115,7 +115,7 @@ TEST(Ply, AHeaderWithoutALineEndHasNoData) {
   EXPECT_TRUE(Contains(ErrorOf("a.ply", promised + " end_header"), "a.ply:1:")) << ErrorOf("a.ply", promised);
 }
 
-TEST(Extremes, D8_FacesOfTooFewCornersAreCountedAndLeftOut) {
+TEST(Extremes, D8_FacesOfTooFewCornersAreCountedAndSkipped) {
   const auto read = Read("a.off", "OFF 3 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n1 0\n0\n");
   EXPECT_EQ(read.data.triangles.size(), 1u);
   EXPECT_EQ(read.warnings.at(0),
@@ -143,7 +143,7 @@ TEST(Extremes, D8_FacesWithTooFewCornersAreReportedWithTheirLine) {
   }
 }
 
-TEST(Extremes, D8_IndicesThatNameNoVertexAreErrorsWithTheirPlace) {
+TEST(Extremes, D8_IndicesOfMissingVerticesAreErrorsWithTheirPosition) {
   for (const char* index : {"3", "-1", "2147483648", "4294967296", "4294967297", "99999999999999999999", "1.5", "x"}) {
     const std::string off = std::string("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 ") + index;
     EXPECT_TRUE(Contains(ErrorOf("a.off", off), "a.off:5:7: error: a corner of face 0 must be")) << index;
@@ -195,7 +195,7 @@ TEST(Extremes, C11_ErrorsNameNonFiniteOrTooDistantVertices) {
   }
 }
 
-TEST(RayMesh, BothFaceCommandsAreReadAndOthersPassedOver) {
+TEST(RayMesh, BothFaceCommandsAreReadAndOthersSkipped) {
   const auto read = Read("a.ray",
                          "#material 1 0 0 \n#vertex 0 0 0  0 0 1  0 0\n#vertex 1 0 0  0 0 1  1 0\n"
                          "#vertex 1 1 0  0 0 1  1 1\n#camera 0 0 1\n#vertex 0 1 0  0 0 1  0 1\n"
@@ -215,13 +215,13 @@ TEST(Obj, CornersOfAllFormsAndNegativeIndicesAreRead) {
   }
 }
 
-TEST(Obj, OtherStatementsArePassedOver) {
+TEST(Obj, OtherStatementsAreSkipped) {
   const auto read = Read(
       "a.obj", "mtllib f v.mtl\no v f\ng f 1 2 3\nv 0 0 0 1\ns off\nv 1 0 0 1\nusemtl f\nv 0 1 0 1\nf 1 2 3\nl 1 2\n");
   EXPECT_EQ(read.data.triangles, (Triangles{{0, 1, 2}}));
 }
 
-TEST(Obj, APlaceWithTwoTextureCoordinatesBecomesTwoVertices) {
+TEST(Obj, APositionWithTwoTextureCoordinatesBecomesTwoVertices) {
   const auto read = Read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 2/2 4/2 3/1\n");
   EXPECT_EQ(read.data.positions.size(), 5u);
   ASSERT_EQ(read.data.triangles.size(), 2u);
@@ -278,7 +278,7 @@ TEST(Ply, DataBeginsRightAfterAnyHeaderLineEnd) {
   }
 }
 
-TEST(Ply, NormalsAndTextureCoordinatesAreReadUnderTheirSeveralNames) {
+TEST(Ply, NormalsAndTextureCoordinatesAreReadUnderAllNames) {
   for (const char* names : {"s t", "u v", "texture_u texture_v"}) {
     const std::string both = names;
     const std::string first = both.substr(0, both.find(' ')), second = both.substr(both.find(' ') + 1);
@@ -299,11 +299,11 @@ TEST(Ply, StripsAlternateTheirWindingAndRestartAtMinusOne) {
            "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
            "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
            "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n11 0 1 2 3 -1 2 1 3 3 4 1\n");
-  // The second strip repeats vertex 3, so its second and third triangle are nothing; the fourth is turned.
+  // The second strip repeats vertex 3, so its second and third triangle are degenerate; the fourth is flipped.
   EXPECT_EQ(read.data.triangles, (Triangles{{0, 1, 2}, {2, 1, 3}, {2, 1, 3}, {4, 3, 1}}));
 }
 
-TEST(Ply, AHeaderThatMakesNoSenseIsAnError) {
+TEST(Ply, AnInvalidHeaderIsAnError) {
   EXPECT_TRUE(Contains(ErrorOf("a.ply", "plu\n"), "a.ply:1:1: error: a .ply file must begin with 'ply'"));
   EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nformat ascii 2.0\n"), "the version must be 1.0, got '2.0'"));
   EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nproperty float x\n"), "property before any element"));
@@ -315,7 +315,7 @@ TEST(Ply, AHeaderThatMakesNoSenseIsAnError) {
   EXPECT_TRUE(Contains(ErrorOf("a.ply", "ply\nelement vertex 1"), "the file ends before"));
 }
 
-TEST(Ply, ElementsWithoutPropertiesTakeNoTimeHoweverMany) {
+TEST(Ply, AnyNumberOfEmptyElementsTakesNoTime) {
   EXPECT_EQ(ErrorOf("a.ply", "ply\nformat ascii 1.0\nelement nothing 9223372036854775807\nend_header\n"), "(none)");
 }
 
@@ -337,7 +337,7 @@ TEST(Stl, AsciiAndBinaryWithSolidGiveTheSameMesh) {
   }
 }
 
-TEST(Extremes, K3_MeshHeadersThatPromiseTooMuchAreRefusedAtOnce) {
+TEST(Extremes, K3_MeshHeadersThatDeclareTooMuchAreRefusedAtOnce) {
   const std::string vertex = "property float x\nproperty float y\nproperty float z\n";
   EXPECT_TRUE(Contains(ErrorOf("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
                        "the header declares 4000000000 vertices, but"));
@@ -397,7 +397,7 @@ TEST(Extremes, K10_TenMebibytesOfAwkwardFacesTakeAtMostTenSeconds) {
     Reads(name, bytes);
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  // Combs of 256 corners: concave, and every second corner gets in the way of an ear.
+  // Combs of 256 corners: concave, and every second corner prevents an ear.
   std::string combs, one_place = "v 0 0 0\n", joined = "v 0 0 0\nf ";
   for (int i = 0; i < 256; ++i)
     combs += "v " + std::to_string(i == 255 ? 0 : i) + " " + std::to_string(i == 255 ? -9 : i % 2) + " 0\n";
@@ -405,7 +405,7 @@ TEST(Extremes, K10_TenMebibytesOfAwkwardFacesTakeAtMostTenSeconds) {
   for (int i = 256; i > 0; --i) comb += " " + std::to_string(i);
   while (combs.size() < (10 << 20)) combs += comb + "\n";
   EXPECT_LT(seconds("a.obj", combs), 10 * patience);
-  // One place with very many texture coordinates.
+  // One position with very many texture coordinates.
   for (int i = 1; one_place.size() < (10 << 20); ++i)
     one_place += "vt " + std::to_string(i) + " 0\nf 1/" + std::to_string(i) + " 1 1\n";
   EXPECT_LT(seconds("a.obj", one_place), 10 * patience);
@@ -435,7 +435,7 @@ TEST(Meshes, ExtensionsAreKnownInAnyLetterCase) {
 TEST(Meshes, AMeshFileAloneIsAScene) {
   const auto file = project::Root() / "scenes/meshes/icosahedron.off";
   const ParsedScene parsed = Parse(file, {});
-  EXPECT_EQ(parsed.warnings, std::vector<std::string>{}) << "nobody asked for normals";
+  EXPECT_EQ(parsed.warnings, std::vector<std::string>{}) << "normals were not requested";
   const Scene& scene = parsed.scene;
   ASSERT_EQ(scene.root.children.size(), 2u) << "and the ground";
   EXPECT_EQ(scene.root.children[0].shape->Elements(), 20);

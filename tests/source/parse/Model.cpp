@@ -1,5 +1,5 @@
-// Models with the materials of their files. models/make.py wrote those of Blender, MeshLab and SketchUp, after these
-// programs' documentation; the colors expected are derived here from the numbers that it writes.
+// Models with the materials of their files. models/make.py wrote those of Blender, MeshLab and SketchUp, according to
+// these programs' documentation; the expected colors are derived here from the numbers in it.
 
 #include "source/parse/Model.h"
 
@@ -24,7 +24,7 @@ std::string BytesOf(const fs::path& file) {
   return bytes.str();
 }
 
-/// A folder with copies of the models, for scenes of them.
+/// A folder with copies of the models, for scenes that use them.
 struct Models : Folder {
   Models() {
     const fs::path from = ProjectRoot() / "tests/source/parse/models";
@@ -32,7 +32,7 @@ struct Models : Folder {
       if (entry.is_regular_file()) Write(entry.path().lexically_relative(from).string(), BytesOf(entry.path()));
   }
 
-  /// What is seen along -z at a place of a model in front of gray, in light along -z.
+  /// Returns the color along -z at a point of a model in front of gray, in light along -z.
   R2::Color SeenAt(const std::string& model, double x, double y, const std::string& how = "materials") const {
     std::ostringstream scene;
     scene << "camera " << x << ' ' << y << " 50  0 0 -1  0 1 0  1e-6 .01 100\nbackground .4 .4 .4\n"
@@ -59,19 +59,19 @@ TEST(Models, OfBlenderHaveTheirColorsAndTextures) {
   // The octahedron is smooth by its group: at the corner towards the light its normal is the axis.
   const R2::Color corner = models.SeenAt("blender_box.obj", 3 + 1e-7, 1 + 1e-7, "smooth materials");
   ExpectColor(corner, {0.05 + 0.25, 0.2 + 0.25, 0.7 + 0.25}, 1e-4);  // kd, and ks where the highlight is strongest
-  // Flat, its faces lean by 54.7 degrees, whose cosine is 1 / sqrt(3).
+  // Flat, its faces are tilted by 54.7 degrees, whose cosine is 1 / sqrt(3).
   const double cosine = 1 / std::sqrt(3);
   ExpectColor(models.SeenAt("blender_box.obj", 3.2, 1.2), {0.05 * cosine, 0.2 * cosine, 0.7 * cosine}, 1e-4);
 }
 
 TEST(Models, OfBlenderTransmitEmitMirrorAndHaveNormalMaps) {
   const Models models;
-  // d .25: a quarter of kd, and three quarters of what is behind, through both sides; the back is in shadow.
+  // d .25: a quarter of kd, and three quarters of the background, through both sides; the back is in shadow.
   const double behind = 0.75 * 0.75 * 0.4;
   ExpectColor(models.SeenAt("blender_glass.obj", 0, 1), {0.05 + behind, 0.2 + behind, 0.1 + behind});
   ExpectColor(models.SeenAt("blender_lamp.obj", 0.5, 0.5), {0.9, 0.6, 0.3});
   ExpectColor(models.SeenAt("blender_glass.obj", -2.5, 0.5), {0.1 + 0.28, 0.1 + 0.24, 0.1 + 0.16});
-  // 204, 128 and 230 255ths are 2 c - 1 = .6, .004 and .804, whose unit vector leans by a cosine of .8014.
+  // 204, 128 and 230 255ths are 2 c - 1 = .6, .004 and .804, whose unit vector is tilted by a cosine of .8014.
   ExpectColor(models.SeenAt("blender_glass.obj", -2.5, 2), {0.4007, 0.4007, 0.4007}, 1e-4);
 }
 
@@ -79,13 +79,13 @@ TEST(Models, OfMeshLabHaveTheColorsOfTheirVertices) {
   const Models models;
   for (const double x : {0.25, 1.0, 1.5})
     for (const double y : {0.25, 0.5, 0.9})
-      ExpectColor(models.SeenAt("meshlab_colors.obj", x, y), {x / 2, y, 1});  // as at the corners, and even between
+      ExpectColor(models.SeenAt("meshlab_colors.obj", x, y), {x / 2, y, 1});  // as at the corners, and linear between
 }
 
 TEST(Models, OfMeshLabHaveSeveralTextures) {
   const Models models;
-  // Tr .5 halves kd .5 1 1; blue and white squares of the image. The sides behind are in shadow, seen through half of
-  // the front, and let half of the half through.
+  // Tr .5 halves kd .5 1 1; blue and white squares of the image. The back sides are in shadow, seen through half of the
+  // front, and transmit half of the half.
   const double behind = 0.25 * 0.4;
   ExpectColor(models.SeenAt("meshlab_textures.obj", 0.5, 0.25), {behind, behind, 0.5 + behind});
   ExpectColor(models.SeenAt("meshlab_textures.obj", 1.5, 0.25), {0.25 + behind, 0.5 + behind, 0.5 + behind});
@@ -107,11 +107,11 @@ TEST(Models, FacesWithoutAMaterialTakeTheScenes) {
   std::vector<double> greens;
   for (const Node& part : scene.root.children)
     greens.push_back(scene.materials.at(static_cast<std::size_t>(part.material)).kd.g);
-  // White sides, brick walls, the roof that no library has, and glass, half of whose .6 is seen.
+  // White sides, brick walls, the roof that no library has, and glass, half of whose .6 is visible.
   EXPECT_EQ(greens, (std::vector<double>{1, 0.270588, 0.5, 0.3}));
 }
 
-// Course files say a material for every mesh, and mean it.
+// Course files state a material for every mesh, and mean it.
 TEST(Models, WithoutTheKeywordAMeshHasTheScenesMaterial) {
   const Models models;
   const Scene scene =
@@ -121,13 +121,13 @@ TEST(Models, WithoutTheKeywordAMeshHasTheScenesMaterial) {
   ExpectColor(models.SeenAt("meshlab_colors.obj", 0.25, 0.5, ""), {0, 0.5, 0});
 }
 
-TEST(Models, ThatStayGrayThoughTheirFileSaysMoreAreTold) {
+TEST(Models, ThatIgnoreTheirFilesMaterialsAreReported) {
   const Models models;
   const auto warnings = [&](const std::string& scene) { return Parse(models.Write("scene.scn", scene), {}).warnings; };
   const auto gray = warnings("mesh -1 blender_box.obj\n");
   ASSERT_EQ(gray.size(), 1u);
-  EXPECT_TRUE(gray[0].ends_with(
-      "scene.scn:1:1: warning: the mesh is gray; 'materials' behind its name shows those of its file"))
+  EXPECT_TRUE(
+      gray[0].ends_with("scene.scn:1:1: warning: the mesh is gray; 'materials' after its name uses those of its file"))
       << gray[0];
   EXPECT_EQ(warnings("mesh -1 meshlab_colors.obj\n").size(), 1u);
   EXPECT_TRUE(warnings("mesh -1 blender_box.obj materials\n").empty());
@@ -147,7 +147,7 @@ TEST(Models, UsedTwiceShareTheirMeshesAndMaterials) {
   EXPECT_EQ(scene.root.children[0].shape, scene.root.children[3].children[0].shape);
 }
 
-/// The warnings about a file, without the folder.
+/// Returns the warnings about a file, without the folder.
 std::vector<std::string> WarningsOf(const Folder& folder, const std::string& name) {
   std::vector<std::string> warnings = Parse(folder / name, {}).warnings;
   const std::string prefix = folder.Path().string() + "/";
@@ -158,7 +158,7 @@ std::vector<std::string> WarningsOf(const Folder& folder, const std::string& nam
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
-TEST(Models, WhatTheirLibrariesLackIsTold) {
+TEST(Models, MissingPartsOfLibrariesAreReported) {
   const Folder folder;
   folder.Write("a.mtl", "newmtl red\nKd 1 0 0\nmap_Kd my wod.png\n");
   folder.Write("my wood.png", "no image");
@@ -166,7 +166,7 @@ TEST(Models, WhatTheirLibrariesLackIsTold) {
   EXPECT_EQ(WarningsOf(folder, "a.obj"),
             (std::vector<std::string>{
                 "a.obj:1:8: warning: no such file: 'b.mtl'; its materials are gray; did you mean 'a.mtl'?",
-                "a.mtl:3:8: warning: no such file: 'my wod.png'; the material is left without it; did you mean "
+                "a.mtl:3:8: warning: no such file: 'my wod.png'; the material does not use it; did you mean "
                 "'my wood.png'?"}));
   folder.Write("b.obj", "mtllib a.mtl\n" + triangle + "usemtl rde\nf 1 2 3\n");
   EXPECT_EQ(
@@ -230,17 +230,17 @@ TEST(Models, MaterialsAreClearByDissolveOrByRefraction) {
   const R2::Color none, half{0.5, 0.5, 0.5};
   EXPECT_EQ(MaterialOf("Kd 1 1 1\nd .5\n").kt, half);
   EXPECT_EQ(MaterialOf("Kd 1 1 1\nd .5\n").kd, half);
-  EXPECT_EQ(MaterialOf("d .5\nNi 1.5\n").ir, 1) << "what is dissolved does not bend light";
+  EXPECT_EQ(MaterialOf("d .5\nNi 1.5\n").ir, 1) << "a dissolved material does not bend light";
   EXPECT_EQ(MaterialOf("Tr .5\n").kt, half);
   EXPECT_EQ(MaterialOf("d 1\nTr 1\n").kt, none) << "d counts";
-  EXPECT_EQ(MaterialOf("Tf 1 1 1\nillum 4\n").kt, none) << "programs write it for what is opaque";
+  EXPECT_EQ(MaterialOf("Tf 1 1 1\nillum 4\n").kt, none) << "programs write it for opaque materials";
   EXPECT_EQ(MaterialOf("d .5\nTf 1 0 0\n").kt, (R2::Color{0.5, 0, 0}));
   const Material glass = MaterialOf("Kd 0 0 0\nTf .9 .8 .7\nNi 1.5\nillum 7\n");
   EXPECT_EQ(glass.kt, (R2::Color{0.9, 0.8, 0.7}));
   EXPECT_EQ(glass.ir, 1.5);
 }
 
-TEST(Models, WhatMaterialsSayBeyondThatIsToldWithItsPlace) {
+TEST(Models, UnsupportedStatementsAreReportedWithTheirPosition) {
   const Folder folder;
   folder.Write("gray.ppm", "P3 1 1 255 128 128 128\n");
   folder.Write("a.mtl",
@@ -299,7 +299,7 @@ TEST(Models, OfPlyHaveVertexColorsAndTextures) {
   };
   const std::string bytes = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   EXPECT_EQ(kd_and_color("", bytes, "51 102 255"), (std::pair(std::array{1., -1.}, std::array{0.2f, 0.4f, 1.f})));
-  EXPECT_EQ(kd_and_color("", bytes, "1 1 0").second, (std::array{1 / 255.f, 1 / 255.f, 0.f})) << "bytes all the same";
+  EXPECT_EQ(kd_and_color("", bytes, "1 1 0").second, (std::array{1 / 255.f, 1 / 255.f, 0.f})) << "bytes anyway";
   const std::string floats = "property float red\nproperty float green\nproperty float blue\n";
   EXPECT_EQ(kd_and_color("", floats, ".25 .5 1").second, (std::array{0.25f, 0.5f, 1.f}));
   EXPECT_EQ(kd_and_color("", floats, "51 102 255").second, (std::array{0.2f, 0.4f, 1.f})) << "more than 1 is of 255";
@@ -309,7 +309,7 @@ TEST(Models, OfPlyHaveVertexColorsAndTextures) {
             double{102 / 255.f});
 }
 
-TEST(Models, ColorsOfVerticesThatAreNoneAreWhite) {
+TEST(Models, InvalidVertexColorsAreWhite) {
   const Folder folder;
   folder.Write("a.obj", "v 0 0 0 .25 .5 .75\nv 1 0 0\nv 0 1 0 nan 0 0\nv 1 1 0 0 -1 0\nf 1 2 4 3\n");
   const ParsedScene parsed = Parse(folder / "a.obj", {});
@@ -333,11 +333,11 @@ TEST(Models, BytesOfColorsAreDecodedInALinearWorkflow) {
   EXPECT_EQ(color[2], 1);
 }
 
-/// The materials of a model's parts, in order.
+/// Returns the materials of a model's parts, in order.
 std::vector<Material> MaterialsOf(const Folder& folder, const std::string& name) {
   const Scene scene = Parse(folder / name, {}).scene;
   std::vector<Material> materials;
-  for (const Node& node : scene.root.children)  // but for the ground, which is the last
+  for (const Node& node : scene.root.children)  // except the ground, which is the last
     materials.push_back(scene.materials.at(static_cast<std::size_t>(node.material)));
   materials.pop_back();
   return materials;
@@ -345,8 +345,8 @@ std::vector<Material> MaterialsOf(const Folder& folder, const std::string& name)
 
 const std::string one_face = triangle + "usemtl a\nf 1 2 3\n";
 
-// MeshLab before 2023 and programs for photogrammetry write this for what they show as opaque.
-TEST(Models, OfTransparencyThatTheirIlluminationDoesNotKnowAreOpaque) {
+// MeshLab before 2023 and programs for photogrammetry write this for materials that they show as opaque.
+TEST(Models, WithoutTransparencyInTheirIlluminationAreOpaque) {
   const R2::Color kd{0.1, 0.2, 0.3}, none;
   for (const char* illum : {"", "illum 0\n", "illum 1\n", "illum 2\n", "illum 3\n"}) {
     const Material material = MaterialOf("Kd .1 .2 .3\nTr 1.000000\n" + std::string(illum));
@@ -360,7 +360,7 @@ TEST(Models, OfTransparencyThatTheirIlluminationDoesNotKnowAreOpaque) {
   folder.Write("a.mtl", "newmtl a\nTr 1\n");
   EXPECT_EQ(WarningsOf(folder, "a.obj"),
             std::vector<std::string>{
-                "a.mtl:1:8: warning: Tr 1 counts as opaque: illum 0 to 3, 5 and 8 know no transparency"});
+                "a.mtl:1:8: warning: Tr 1 counts as opaque: illum 0 to 3, 5 and 8 have no transparency"});
   folder.Write("a.mtl", "newmtl a\nd 0\n");
   EXPECT_EQ(WarningsOf(folder, "a.obj"),
             std::vector<std::string>{"a.mtl:1:8: warning: material 'a' is invisible: its opacity is 0"});
@@ -426,11 +426,11 @@ TEST(Models, OptionsOfATextureMayStandBehindItsName) {
   EXPECT_EQ(uv_of("my a.ppm -s 2 3 1 -o .5 0 0 -blendu on"), std::pair(2.5, 3.));
   EXPECT_EQ(uv_of("-s 2 3 a.ppm -o .5 .25 # moved"), std::pair(2.5, 3.25));
   EXPECT_EQ(uv_of("a.ppm # -s 2 2"), std::pair(1., 1.));
-  EXPECT_EQ(uv_of("a -s x.ppm"), std::pair(1., 1.)) << "a name all the same";
+  EXPECT_EQ(uv_of("a -s x.ppm"), std::pair(1., 1.)) << "a name anyway";
   EXPECT_EQ(uv_of("./-s 2.ppm"), std::pair(1., 1.));
 }
 
-// 20,000 unknown names beside 20,000 known ones took 83 s. Counted, not timed: what is suggested is what took long.
+// 20,000 unknown names next to 20,000 known ones took 83 s. Counted, not timed: the suggestions took the time.
 TEST(Models, ManyUnknownMaterialsAreSuggestedForTheFirstFewOnly) {
   const Folder folder;
   std::string library, mesh = "mtllib a.mtl\n" + triangle;
@@ -449,7 +449,7 @@ TEST(Models, ManyUnknownMaterialsAreSuggestedForTheFirstFewOnly) {
 
 using Colors = std::vector<std::array<float, 3>>;
 
-/// The colors of the vertices of a mesh alone.
+/// Returns the vertex colors of a single mesh.
 Colors ColorsOf(const Folder& folder, const std::string& name) {
   const Scene scene = Parse(folder / name, {}).scene;
   return dynamic_cast<const R3::Mesh&>(*scene.root.children.at(0).shape).Data().colors;
@@ -480,7 +480,7 @@ TEST(Models, OnlyColorsWellAboveOneAreBytes) {
   EXPECT_EQ(ColorsOf(folder, "a.off").at(0), (std::array{1.f, 0.5f, 0.f}));
 }
 
-/// A .ply file of text with faces that have colors.
+/// Returns a text .ply file with face colors.
 std::string PlyWithFaces(const std::string& of_vertices, const std::string& of_faces, const std::string& rows) {
   const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   const auto count = std::ranges::count(rows, '\n');
@@ -538,7 +538,7 @@ TEST(Models, ColorsOfFacesGoWithTheirTextureCoordinates) {
     }
 }
 
-TEST(Models, VertexColorsMultiplyKdWhereAskedFor) {
+TEST(Models, VertexColorsMultiplyKdOnRequest) {
   const Models models;
   const std::string scene =
       "camera 1 .5 50  0 0 -1  0 1 0  1e-6 .01 100\ndir_light 1 1 1 0 0 -1\nambient 1 1 1\n"

@@ -8,7 +8,7 @@
 
 namespace ray {
 
-/// What a file of a mesh holds, and the warnings of reading it.
+/// The contents of a mesh file, and the warnings of reading it.
 struct ReadMesh {
   R3::MeshData data;
   std::vector<std::string> warnings;
@@ -22,7 +22,7 @@ inline ReadMesh MeshOfBytes(const std::string& name, std::string bytes) {
   return read;
 }
 
-/// Where reading it fails, why, and the hint; "(none)" where it does not.
+/// Returns position, reason and hint of the error of reading it; "(none)" if there is none.
 inline std::string MeshErrorOf(const std::string& name, std::string bytes) {
   try {
     MeshOfBytes(name, std::move(bytes));

@@ -1,4 +1,4 @@
-// What docs/recipes.md shows works when it is pasted.
+// The examples of docs/recipes.md work when pasted.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace ray {
 namespace {
 
-/// The indented parts of a page.
+/// Returns the indented parts of a page.
 std::vector<std::string> Blocks(const std::filesystem::path& page) {
   std::vector<std::string> blocks;
   std::ifstream in(page);
@@ -25,23 +25,23 @@ std::vector<std::string> Blocks(const std::filesystem::path& page) {
   return blocks;
 }
 
-R2::Image Picture(const Folder& folder, const std::string& text) {
+R2::Image ImageFrom(const Folder& folder, const std::string& text) {
   RenderSettings settings;
   settings.width = settings.height = 24;
   return project::Render(project::Stage(folder.Write("in.scn", text)), settings).image;
 }
 
-TEST(Recipes, EachIsReadAndChangesThePicture) {
+TEST(Recipes, EachIsReadAndChangesTheImage) {
   const std::vector<std::string> blocks = Blocks(ProjectRoot() / "docs/recipes.md");
   ASSERT_GE(blocks.size(), 8u);
   const Folder folder;
   std::filesystem::copy(ProjectRoot() / "scenes/textures", folder / "textures");
-  const R2::Image base = Picture(folder, blocks[0]);
+  const R2::Image base = ImageFrom(folder, blocks[0]);
   for (std::size_t i = 1; i < blocks.size(); ++i) {
-    const R2::Image picture = Picture(folder, blocks[0] + blocks[i]);
+    const R2::Image image = ImageFrom(folder, blocks[0] + blocks[i]);
     int changed = 0;
     for (int y = 0; y < base.Height(); ++y)
-      for (int x = 0; x < base.Width(); ++x) changed += !(picture.At(x, y) == base.At(x, y));
+      for (int x = 0; x < base.Width(); ++x) changed += !(image.At(x, y) == base.At(x, y));
     EXPECT_GT(changed, 20) << blocks[i];
   }
 }

@@ -63,8 +63,8 @@ TEST(Extremes, K8_OnlyTextOfAFileReachesTheTerminal) {
             "'\\xc2\\x9b31m'");  // a control character in one
   EXPECT_EQ(Quoted("\xE2\x80\xAE"
                    "txt"),
-            "'\\xe2\\x80\\xaetxt'");                       // turns the direction of writing
-  EXPECT_EQ(Quoted("\xFF\xC3"), "'\\xff\\xc3'");           // no UTF-8
+            "'\\xe2\\x80\\xaetxt'");                       // changes the direction of writing
+  EXPECT_EQ(Quoted("\xFF\xC3"), "'\\xff\\xc3'");           // not UTF-8
   EXPECT_EQ(Quoted("\xC0\xAF"), "'\\xc0\\xaf'");           // not the shortest form
   EXPECT_EQ(Quoted("\xED\xA0\x80"), "'\\xed\\xa0\\x80'");  // half of a pair
   EXPECT_EQ(Quoted("\xF0\x9F\x94\xA6"), "'\xF0\x9F\x94\xA6'");

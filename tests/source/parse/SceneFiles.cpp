@@ -7,7 +7,7 @@
 
 namespace {
 
-// Whoever writes a picture over one of these destroys the scene, and a hash without them calls two scenes one.
+// Writing an image over one of these destroys the scene, and a hash without them treats two scenes as one.
 TEST(SceneFiles, NameEveryFileOfTheSceneOnce) {
   const auto folder = project::Root() / "scenes";
   const auto names = [&](const char* scene) {
@@ -43,7 +43,7 @@ TEST(SceneFiles, TheUsersEnvironmentCountsTowardsTheTextureLimit) {
   folder.Write("in.scn", scene);
   ray::ParseOptions options;
   options.environment = folder.Write("mine.ppm", white);
-  options.max_texture_bytes = 48;  // 12 for each texel
+  options.max_texture_bytes = 48;  // 12 per texel
   EXPECT_EQ(ray::ReportOf(folder, "in.scn", options), "");
   options.max_texture_bytes = 47;
   const std::string report = ray::ReportOf(folder, "in.scn", options);
@@ -51,8 +51,8 @@ TEST(SceneFiles, TheUsersEnvironmentCountsTowardsTheTextureLimit) {
   EXPECT_TRUE(ray::Contains(report, "-memory sets another limit")) << report;
 }
 
-// A texture cut out for the web has colors behind its transparent pixels. A file of two uses is read twice.
-TEST(SceneFiles, WhatIsOddAboutAnImageIsWarnedOfOnce) {
+// A texture cut out for the web has colors behind its transparent pixels. A file with two uses is read twice.
+TEST(SceneFiles, OdditiesOfAnImageAreReportedOnce) {
   const ray::Folder folder;
   std::filesystem::copy(project::Root() / "tests/R2/samples/palette-alpha.png", folder / "leaf.png");
   const auto scene = folder.Write("in.scn",

@@ -1,4 +1,4 @@
-// What a .scn file means, once it is well formed. Numbers in names are those of the manual's list of traps.
+// The meaning of a well-formed .scn file. Numbers in names are those of the manual's list of traps.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST(Extremes, F3_Trap2_AnIndexOfZeroMeansOneAndExtremesStay) {
                          "error: ir must"));
 }
 
-TEST(Scn, AMirrorHasAWeightOfItsOwn) {
+TEST(Scn, AMirrorHasItsOwnWeight) {
   const std::string material = "material 0 0 0  0 0 0  7 8 9  0 0 0  0 0 0  10 1 0\n";
   const Material m = ParseText(material + "mirror 0 .1 .2 .3").scene.materials.at(1);
   EXPECT_EQ(m.ks, (R2::Color{7, 8, 9}));
@@ -57,11 +57,11 @@ TEST(Scn, AConflictingLaterPriorityWinsWithAWarning) {
   const ParsedScene parsed = ParseText(material + "priority 0 1\npriority 0 2");
   EXPECT_EQ(parsed.scene.materials.at(1).priority, 2);
   ASSERT_EQ(parsed.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(parsed.warnings[0], "scene.scn:3:1: warning: the material has the priority 1 already"));
+  EXPECT_TRUE(Contains(parsed.warnings[0], "scene.scn:3:1: warning: the material already has the priority 1"));
   EXPECT_TRUE(ParseText(material + "priority 0 1 priority 0 1").warnings.empty());
 }
 
-TEST(Scn, AViewStaysBesideTheCameraWhicheverComesFirst) {
+TEST(Scn, ViewAndCameraMayComeInAnyOrder) {
   const std::string camera = "camera 0 0 9  0 0 -1  0 1 0  .5 1 2\n", view = "view 2 .5 -1\n";
   for (const std::string& text : {camera + view, view + camera, view}) {
     const Camera c = ParseText(text).scene.camera;
@@ -71,14 +71,14 @@ TEST(Scn, AViewStaysBesideTheCameraWhicheverComesFirst) {
   }
 }
 
-TEST(Scn, AMirroredViewExchangesLeftAndRightWhereverItStands) {
+TEST(Scn, AMirroredViewSwapsLeftAndRightInAnyOrder) {
   const std::string camera = "camera 0 0 9  0 0 -1  0 1 0  .5 1 2\n", view = "view 0 0 0 mirrored\n";
   for (const std::string& text : {camera + view, view + camera, view})
     EXPECT_EQ(ParseText(text).scene.camera.right, (R3::Vector{-1, 0, 0})) << text;
   EXPECT_EQ(ParseText(camera + view + "view 0 0 0\n").scene.camera.right, (R3::Vector{1, 0, 0}));
 }
 
-TEST(Scn, ASettingIsKeptInWordsWithItsPlace) {
+TEST(Scn, ASettingIsKeptAsTextWithItsPosition) {
   const Scene scene = ParseText("set max_depth 2 # bounces\n\n  set motion 0 1\t2\nsphere -1 0 0 0 1").scene;
   ASSERT_EQ(scene.settings.size(), 2u);
   EXPECT_EQ(scene.settings[0].option, "max_depth");
@@ -121,7 +121,7 @@ TEST(Scn, ASpecularMapIsDecodedAsATextureIs) {
   EXPECT_TRUE(Contains(ReportOf("specular_map 0 half.ppm"), "no material 0"));
 }
 
-TEST(Scn, QuotedNamesMayHoldBlanksAndAreChecked) {
+TEST(Scn, QuotedNamesMayContainBlanksAndAreChecked) {
   const Folder folder;
   folder.Write("my \"wood\" #1.ppm", "P3 1 1 255 255 0 0 ");
   folder.Write("in.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 10 1 \"my \\\"wood\\\" #1.ppm\"\nsphere 0 0 0 0 1\n");
@@ -209,7 +209,7 @@ TEST(Scn, AnIncludedLightBelongsToTheScene) {
   folder.Write("inner.scn", "dir_light 1 1 1  0 0 -1");
   folder.Write("none.scn", "");
   EXPECT_EQ(Parse(folder.Write("a.scn", "include inner.scn"), {}).scene.lights.size(), 1u);
-  // The course's reader fills in default lights at the end of every file; here they come once.
+  // The course's reader adds default lights at the end of every file; here they are added once.
   EXPECT_EQ(Parse(folder.Write("b.scn", "include none.scn dir_light 1 1 1  0 0 -1"), {}).scene.lights.size(), 1u);
 }
 
@@ -309,7 +309,7 @@ TEST(Scn, AMeshUsedTwiceIsOneMesh) {
   EXPECT_EQ(scene.root.children.at(0).bounds, (R3::Box{{0, 0, 0}, {1, 1, 0}}));
 }
 
-TEST(Scn, TheWordSmoothBehindAMeshAsksForItsNormals) {
+TEST(Scn, TheWordSmoothAfterAMeshSelectsItsNormals) {
   const Folder folder;
   folder.Write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 1\nf 1//1 2//1 3//1\n");
   folder.Write("t.off", triangle_off);
@@ -342,8 +342,8 @@ TEST(Scn, TexturesAreReadOnceAndDecodedInLinearWorkflows) {
   EXPECT_NEAR(linear.materials.at(1).texture->image.At(0, 0).r, R2::DecodeSrgb(128 / 255.0), 1e-7);
 }
 
-// Such light once was in the picture without a word, while an environment of it was refused.
-TEST(Scn, ATextureOfNoColorsIsRefused) {
+// Such light was once accepted silently, while an environment with it was rejected.
+TEST(Scn, ATextureWithInvalidColorsIsRefused) {
   const Folder folder;
   const auto refusal = [&](const std::string& use, float value) {
     std::string pixel(3 * sizeof value, '\0');
@@ -380,7 +380,7 @@ TEST(Scn, QuadsAndPolygonsFaceWhereTheirCornersTurnLeft) {
   EXPECT_NEAR(at.uv.x, 0.75, 1e-12);
   EXPECT_NEAR(at.uv.y, 0.25, 1e-12);
 
-  // An arrowhead, whose notch is no part of it.
+  // An arrowhead, whose notch is not part of it.
   const Scene arrow = ParseText("polygon -1 4  0 0 0  2 -1 0  0.5 0 0  2 1 0").scene;
   const auto& head = dynamic_cast<const R3::Mesh&>(*arrow.root.children.at(0).shape);
   const auto is_hit = [&](double x, double y) {
@@ -393,7 +393,7 @@ TEST(Scn, QuadsAndPolygonsFaceWhereTheirCornersTurnLeft) {
   EXPECT_FALSE(is_hit(1, 0.01));
 }
 
-TEST(Scn, WhatHasNoSizeIsKeptWithAWarning) {
+TEST(Scn, DegenerateShapesAreKeptWithAWarning) {
   const ParsedScene parsed = ParseText("sphere -1 1 2 3 0\ncone -1 0 0 0 1 0\ntri -1 0 0 0 1 1 1 2 2 2\n");
   EXPECT_EQ(parsed.scene.root.children.size(), 3u);
   ASSERT_EQ(parsed.warnings.size(), 3u);
@@ -409,7 +409,7 @@ TEST(Scn, ThousandsOfWarningsAreCounted) {
   EXPECT_EQ(warnings.back(), "and 4900 more warnings");
 }
 
-TEST(Scn, EnergyAboveOneIsNobodysBusinessButTheAuthors) {
+TEST(Scn, EnergyAboveOneIsAccepted) {
   EXPECT_TRUE(ParseText("material 10 10 10  10 10 10  10 10 10  10 10 10  4 4 4  10 1 0").warnings.empty());
 }
 
@@ -419,7 +419,7 @@ double RadiusOfFirstSphere(const Folder& folder, const std::vector<std::string>&
   return Parse(folder / "top.scn", options).scene.root.children.at(0).shape->MadeFrom()->arguments.at(3);
 }
 
-TEST(Scn, WhoeverDefinesAVariableFirstDecidesItsValue) {
+TEST(Scn, TheFirstDefinitionOfAVariableCounts) {
   const Folder folder;
   folder.Write("part.scn", "define r 3\nsphere -1 0 0 0 $r\n");
   folder.Write("top.scn", "include part.scn\n");

@@ -12,14 +12,14 @@
 namespace ray {
 namespace {
 
-/// CPU time of a call, whatever else the machine does.
+/// Returns the CPU time of a call, independent of other load.
 double SecondsOf(const std::function<void()>& f) {
   const std::clock_t start = std::clock();
   f();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Runs on a thread with a small stack, so that recursion over the user's data is found out.
+/// Runs on a thread with a small stack, so that recursion over the user's data is detected.
 void OnSmallStack(const std::function<void()>& f) {
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
@@ -49,7 +49,7 @@ TEST(Extremes, A7_OnlyAffineMatricesPlaceAGroup) {
   EXPECT_EQ(ReportOf("begin -1  1 0 0 0  0 1 0 0  0 0 1 0  -0 0.0 0e5 1.0\nend"), "");
 }
 
-TEST(Extremes, A8_InvalidMatrixEntriesAreErrorsWithTheirPlace) {
+TEST(Extremes, A8_InvalidMatrixEntriesAreErrorsWithTheirPosition) {
   for (const char* entry : {"nan", "-inf", "inf", "1e400", "0x1p3", "one"}) {
     const std::string report =
         ReportOf("begin -1\n 1 0 0 0\n 0 " + std::string(entry) + " 0 0\n 0 0 1 0\n 0 0 0 1\nend");
@@ -153,7 +153,7 @@ TEST(Extremes, H3_ACycleNamesItsRing) {
   EXPECT_TRUE(Contains(report, "included from a.scn:1")) << report;
 }
 
-/// Files 0.scn to count-1.scn, each including the next, the last one what is asked for.
+/// Writes files 0.scn to count-1.scn, each including the next, the last one with the given text.
 void WriteChain(const Folder& folder, int count, const std::string& last) {
   for (int i = 0; i < count; ++i)
     folder.Write(std::to_string(i) + ".scn", i + 1 < count ? "include " + std::to_string(i + 1) + ".scn" : last);
@@ -224,7 +224,7 @@ TEST(Extremes, K7_LongLinesAndManyBlankLinesTakeLinearTime) {
   EXPECT_LT(SecondsOf([] { ParseText(Repeated("# comment\n", 3'000'000)); }), 10 * patience);
   const std::string one_line = Repeated("sphere -1 0 0 0 1 ", 500'000);
   EXPECT_LT(SecondsOf([&] { EXPECT_EQ(ParseText(one_line).scene.root.children.size(), 500'000u); }), 10 * patience);
-  // A mistake at the end of a long line is not searched for from its beginning, nor is the line shown.
+  // A mistake at the end of a long line is not searched from its beginning, nor is the line shown.
   const std::string report = ReportOf(one_line + "spere");
   EXPECT_TRUE(Contains(report, ":1:9000001: error: unknown command 'spere'; did you mean 'sphere'?")) << report.size();
 }
@@ -242,7 +242,7 @@ const char* const sample =
     "begin 0  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\n  tri -1  0 0 0  1 0 0  0 1 0\n  mesh 0 t.off smooth\n"
     "  line 0  0 0 0  1 1 1\nend\ninclude inner.scn\n";
 
-/// Parses, and knows whether that went well; anything thrown but SceneErrors fails the test.
+/// Parses, and returns true if that succeeded; any exception other than SceneErrors fails the test.
 bool Parses(const Folder& folder, std::string_view scene) {
   folder.Write("scene.scn", scene);
   try {

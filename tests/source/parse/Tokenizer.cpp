@@ -48,7 +48,7 @@ TEST(Tokenizer, ACommentBeginsOnlyAtTheStartOfAWord) {
   EXPECT_EQ(Words("#vertex 1", Tokenizer::Comments::none), "#vertex@1:1! 1@1:9 ");
 }
 
-// Else the number before the # would be read, and the words behind it would be left out.
+// Otherwise the number before the # would be read, and the words after it would be skipped.
 TEST(Tokenizer, TheHashInOldWindowsNansStartsNoComment) {
   EXPECT_EQ(Words("2 1.#QNAN 3"), "2@1:1! 1.#QNAN@1:3 3@1:11 ");
   EXPECT_EQ(Words("-1.#IND00 1.#INF"), "-1.#IND00@1:1! 1.#INF@1:11 ");
@@ -73,7 +73,7 @@ TEST(Tokenizer, QuotedNamesEndAtTheirQuoteOrLine) {
   EXPECT_EQ(words("a\"b c\""), (Words{"a\"b", "c\""}));
 }
 
-TEST(Tokenizer, ABackslashJoinsLinesWhereItIsAskedTo) {
+TEST(Tokenizer, ABackslashJoinsLinesIfEnabled) {
   const auto words = [](const std::string& bytes) {
     const Text text{"t", bytes};
     Tokenizer tokens(text, Tokenizer::Comments::hash, Tokenizer::Joints::backslash);

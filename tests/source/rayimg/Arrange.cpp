@@ -1,4 +1,4 @@
-// What rayimg resize, crop, side-by-side, contact-sheet and extract write.
+// The files that rayimg resize, crop, side-by-side, contact-sheet and extract write.
 #include <gtest/gtest.h>
 
 #include "source/film/Resize.h"
@@ -7,7 +7,7 @@
 namespace ray::rayimg {
 namespace {
 
-/// No two pixels are alike, and all are bytes.
+/// An image whose pixels are all different bytes.
 R2::Image Distinct(int width, int height) {
   R2::Image image(width, height);
   for (int y = 0; y < height; ++y)
@@ -21,7 +21,7 @@ double MeanOf(const R2::Image& image) {
   return sum / static_cast<double>(image.Channels().size());
 }
 
-// The box counts by area, so that no light is lost, whatever the sizes.
+// The box filter weights by area, so that it keeps the total light at all sizes.
 TEST(Resize, ABoxKeepsTheMean) {
   const R2::Image image = Distinct(13, 9);
   for (const auto& [width, height] : {std::pair{5, 4}, {1, 1}, {26, 18}, {40, 3}}) {
@@ -79,7 +79,7 @@ TEST(RayimgCrop, PartsSideBySideAreTheWhole) {
   EXPECT_EQ(Decode(out).image, Decode(in).image);
 }
 
-TEST(RayimgSideBySide, CaptionsAreBelowAndLeaveThePicturesAlone) {
+TEST(RayimgSideBySide, CaptionsAreBelowAndLeaveTheImagesAlone) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const std::string in = Save(folder / "in.png", Distinct(30, 9)), out = folder / "out.png";
@@ -114,7 +114,7 @@ TEST(RayimgContactSheet, ShowsAFolderWithACrossForUnreadableFiles) {
   WriteFile(folder / "b.png", "no image");
   WriteFile(folder / "notes.txt", "no image either");
   const std::string out = folder / "sheet.png";
-  for (int run = 0; run < 2; ++run) {  // the sheet is not in itself
+  for (int run = 0; run < 2; ++run) {  // the sheet does not contain itself
     const Finished done = Rayimg({"contact-sheet", folder.Path().string(), "-out", out, "-width", "20", "-gap", "2"});
     EXPECT_EQ(done.status, 3);
     EXPECT_TRUE(Has(done.error, "b.png: error: unknown image format")) << done.error;
@@ -130,7 +130,7 @@ TEST(RayimgContactSheet, AFolderWithoutImagesIsAnError) {
   const TemporaryFolder folder;
   const Finished done = Rayimg({"contact-sheet", folder.Path().string(), "-out", folder / "out.png"});
   EXPECT_EQ(done.status, 2);
-  EXPECT_TRUE(Has(done.error, "holds no image: no file that ends in .jpg")) << done.error;
+  EXPECT_TRUE(Has(done.error, "contains no image: no file ends in .jpg")) << done.error;
 }
 
 // --- layers ---
@@ -161,7 +161,7 @@ TEST(RayimgLayers, AreListedExtractedAndCropped) {
   EXPECT_EQ(Decode(out).image, Distinct(6, 4));
 }
 
-TEST(RayimgLayers, AMissingOneIsAnsweredWithThoseThatAreThere) {
+TEST(RayimgLayers, AMissingOneIsAnsweredWithTheExistingOnes) {
   NEEDS_RAYIMG();
   if (!HasExr()) GTEST_SKIP() << "this build has no EXR";
   const TemporaryFolder folder;
@@ -172,7 +172,7 @@ TEST(RayimgLayers, AMissingOneIsAnsweredWithThoseThatAreThere) {
   EXPECT_EQ(Rayimg({"extract", in, "N", folder / "out.png"}).status, 2);
   const Finished resized = Rayimg({"resize", in, folder / "small.exr", "-width", "3"});
   EXPECT_EQ(resized.status, 0);
-  EXPECT_TRUE(Has(resized.error, "further layers, which are left out: N, Z")) << resized.error;
+  EXPECT_TRUE(Has(resized.error, "further layers, which are skipped: N, Z")) << resized.error;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What rayimg diff measures, and when it fails.
+// Measurements of rayimg diff, and its exit statuses.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ nlohmann::json DiffJson(Words words) {
 
 // --- diff ---
 
-TEST(RayimgDiff, PrintsWhatItMeasures) {
+TEST(RayimgDiff, PrintsItsMeasurements) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   R2::Image image = Filled(8, 4, {0.25, 0.25, 0.25});
@@ -41,7 +41,7 @@ TEST(RayimgDiff, PrintsWhatItMeasures) {
   EXPECT_GT(json["flip"], 0);
 }
 
-TEST(RayimgDiff, EqualPicturesPassEveryThresholdOfZero) {
+TEST(RayimgDiff, EqualImagesPassEveryThresholdOfZero) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const std::string a = Save(folder / "a.png", Filled(9, 9, {0.2, 0.4, 0.6}));
@@ -50,7 +50,7 @@ TEST(RayimgDiff, EqualPicturesPassEveryThresholdOfZero) {
 }
 
 // One pixel of eight differs by 0.5.
-TEST(RayimgDiff, ExitStatusAndWordsSayWhichThresholdIsExceeded) {
+TEST(RayimgDiff, ExitStatusAndMessageNameTheExceededThreshold) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   R2::Image image = Filled(4, 2, {0.25, 0.25, 0.25});
@@ -86,7 +86,7 @@ TEST(RayimgDiff, ExitStatusAndWordsSayWhichThresholdIsExceeded) {
   }
 }
 
-// A renderer that writes NaN must not slip through any test of its pictures.
+// A renderer that writes NaN must fail every test of its images.
 TEST(RayimgDiff, PixelsThatAreNotFiniteFailEveryThreshold) {
   NEEDS_RAYIMG();
   for (const char* format : {"pfm", "exr"}) {
@@ -109,7 +109,7 @@ TEST(RayimgDiff, PixelsThatAreNotFiniteFailEveryThreshold) {
 }
 
 // Light of 0.5 is written as 188 of 255 with the sRGB curve: read back, it is the same light.
-TEST(RayimgDiff, WithSrgbALinearPictureEqualsItsEncodedFile) {
+TEST(RayimgDiff, WithSrgbALinearImageEqualsItsEncodedFile) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const std::string light = Save(folder / "light.pfm", Filled(5, 5, {0.5, 0.5, 0.5}));
@@ -120,8 +120,8 @@ TEST(RayimgDiff, WithSrgbALinearPictureEqualsItsEncodedFile) {
   EXPECT_GT(DiffJson({light, shown})["rmse"], 0.2);
 }
 
-// 40 x 40 pixels, +-0.25 by two checkerboards that are independent: the product is exactly the error of 0.125^2.
-TEST(RayimgDiff, ASecondReferenceTakesTheNoiseOfTheFirstOut) {
+// 40 x 40 pixels, +-0.25 by two independent checkerboards: the product is exactly the error of 0.125^2.
+TEST(RayimgDiff, ASecondReferenceRemovesTheNoiseOfTheFirst) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   R2::Image r1(40, 40), r2(40, 40);
@@ -163,7 +163,7 @@ TEST(RayimgDiff, WarnsOfOrRefusesReferencesThatShareNoise) {
   EXPECT_EQ(Rayimg({"diff", x, other, "-reference2", other}).status, 2);
 }
 
-TEST(RayimgDiff, TheMapIsBrightWhereThePicturesDiffer) {
+TEST(RayimgDiff, TheMapIsBrightWhereTheImagesDiffer) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   R2::Image image = Filled(40, 20, {});

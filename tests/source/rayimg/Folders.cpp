@@ -1,4 +1,4 @@
-// What rayimg diff says of two folders.
+// The report of rayimg diff on two folders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace ray::rayimg {
 namespace {
 
-/// A bright disc off the middle of a slope: without any symmetry, in bytes.
+/// A bright disc beside the center of a gradient: without any symmetry, in bytes.
 R2::Image Scene(int width, int height) {
   R2::Image image(width, height);
   for (int y = 0; y < height; ++y)
@@ -81,7 +81,7 @@ TEST(FolderDiff, NamesTheCauseOfEachDifference) {
   }
 }
 
-TEST(FolderDiff, AFactorIsNamedThoughTheReferenceIsClamped) {
+TEST(FolderDiff, AFactorIsNamedEvenIfTheReferenceIsClamped) {
   NEEDS_RAYIMG();
   const R2::Image dark = Scene(40, 32);
   const TwoFolders folders;
@@ -150,9 +150,9 @@ TEST(FolderDiff, NamesPairExactlyFirstAndAmbiguousOnesNever) {
   const auto pairs =
       PairsOf({"m/a.jpg", "m/a.png", "m/b.exr", "m/c.bmp", "m/c.ppm"}, {"r/a.png", "r/b.png", "r/c.png"});
   ASSERT_EQ(pairs.size(), 6u);
-  EXPECT_EQ(pairs[0].picture + pairs[0].reference, "m/a.pngr/a.png");
-  EXPECT_EQ(pairs[1].picture + pairs[1].reference, "m/b.exrr/b.png");
-  for (std::size_t i = 2; i < pairs.size(); ++i) EXPECT_TRUE(pairs[i].picture.empty() != pairs[i].reference.empty());
+  EXPECT_EQ(pairs[0].image + pairs[0].reference, "m/a.pngr/a.png");
+  EXPECT_EQ(pairs[1].image + pairs[1].reference, "m/b.exrr/b.png");
+  for (std::size_t i = 2; i < pairs.size(); ++i) EXPECT_TRUE(pairs[i].image.empty() != pairs[i].reference.empty());
 }
 
 TEST(FolderDiff, AFolderWithoutImagesIsAnError) {
@@ -160,7 +160,7 @@ TEST(FolderDiff, AFolderWithoutImagesIsAnError) {
   const TwoFolders folders;
   const Finished done = folders.Diff();
   EXPECT_EQ(done.status, 2);
-  EXPECT_TRUE(Has(done.error, "holds no image")) << done.error;
+  EXPECT_TRUE(Has(done.error, "contains no image")) << done.error;
 }
 
 }  // namespace

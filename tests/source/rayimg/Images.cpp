@@ -11,7 +11,7 @@
 namespace ray::rayimg {
 namespace {
 
-TEST(RayimgInfo, TellsStatisticsAndSettings) {
+TEST(RayimgInfo, PrintsStatisticsAndSettings) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   R2::Image image = Filled(2, 2, {0.5, 1, 0});
@@ -29,7 +29,7 @@ TEST(RayimgInfo, TellsStatisticsAndSettings) {
   EXPECT_TRUE(Has(Rayimg({"info", png}).output, "seed: 7\n"));
 }
 
-TEST(RayimgInfo, AFolderIsCalledThatAndAPipeIsRead) {
+TEST(RayimgInfo, AFolderIsReportedAsOneAndAPipeIsRead) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const Finished refused = Rayimg({"info", folder.Path().string()});
@@ -52,7 +52,7 @@ TEST(RayimgInfo, OneBadFileDoesNotHideTheOthers) {
   EXPECT_TRUE(Has(done.error, "missing.ppm")) << done.error;
 }
 
-TEST(RayimgInfo, APictureWithoutOneFiniteValueSaysSo) {
+TEST(RayimgInfo, AnImageWithoutOneFiniteValueIsReported) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const Finished done = Rayimg({"info", Save(folder / "a.pfm", Filled(2, 2, {nan, nan, nan}))});
@@ -60,15 +60,15 @@ TEST(RayimgInfo, APictureWithoutOneFiniteValueSaysSo) {
   EXPECT_TRUE(Has(done.output, "r: no finite value\n")) << done.output;
 }
 
-// Nothing about a file is left out in silence, and nothing is said twice.
-TEST(RayimgInfo, WhatIsOddAboutAFileIsPrintedOnce) {
+// Everything unusual about a file is reported, and each thing once.
+TEST(RayimgInfo, AnythingUnusualAboutAFileIsPrintedOnce) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const std::string plain = Save(folder / "a.pfm", Filled(2, 2, {0.5, 1, 0}));
   const std::string odd = WriteFile(folder / "b.pfm", ReadFile(plain) + "!");
   const std::string warning = odd + ": warning: PFM has 1 byte behind its image, which is ignored\n";
   EXPECT_EQ(Rayimg({"info", plain, odd}).error, warning);
-  // Pictures are read twice.
+  // Images are read twice.
   const Finished merged = Rayimg({"merge", plain, odd, "-force", "-out", folder / "c.pfm"});
   EXPECT_EQ(merged.status, 0) << merged.error;
   EXPECT_NE(merged.error.find(warning), std::string::npos) << merged.error;
@@ -97,8 +97,8 @@ TEST(RayimgConvert, AppliesExposureThenTheCurve) {
   EXPECT_EQ(converted({"-srgb"}), (R2::Color{0.25, 1, 3})) << "floats are never encoded";
 }
 
-// 0.5 is byte 128 when it is written straight, 188 with the sRGB curve, and 16 bits keep 257 times more.
-TEST(RayimgConvert, EncodesAsAsked) {
+// 0.5 is byte 128 without the sRGB curve, 188 with it, and 16 bits keep 257 times more.
+TEST(RayimgConvert, EncodesAsRequested) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const std::string in = Save(folder / "in.pfm", Filled(2, 2, {0.5, 0.5, 0.5})), out = folder / "out.png";
@@ -116,7 +116,7 @@ TEST(RayimgConvert, EncodesAsAsked) {
   EXPECT_NE(ReadFile(best), ReadFile(worst));
 }
 
-TEST(RayimgConvert, KeepsSettingsAndAddsWhatWasDone) {
+TEST(RayimgConvert, KeepsSettingsAndAddsItsOwn) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const std::string in = Save(folder / "in.png", Filled(2, 2, {0.5, 0.5, 0.5}), {{"seed", "7"}});
@@ -156,8 +156,8 @@ TEST(RayimgMerge, WeighsBySamplesAndAddsThemUp) {
   EXPECT_FALSE(merged.settings.contains("samples")) << "with weights of one's own, a sum means nothing";
 }
 
-// An error or a clock ends a render anywhere, and its samples are then a mean over the pixels.
-TEST(RayimgMerge, SamplesThatAreNotWholeAreWeightsAsWell) {
+// An error target or a time limit may stop a render between passes, and its samples are then a mean over the pixels.
+TEST(RayimgMerge, FractionalSampleCountsAreWeightsToo) {
   NEEDS_RAYIMG();
   NEEDS_THE_PROGRAM();
   if (!HasExr()) GTEST_SKIP() << "no EXR in this build";
@@ -193,7 +193,7 @@ TEST(RayimgMerge, WeighsAllAlikeIfOneLacksItsSampleCount) {
   EXPECT_EQ(Decode(folder / "out.exr").image.At(2, 1), (R2::Color{2, 1, 1}));
 }
 
-TEST(RayimgMerge, PicturesWithoutSettingsWeighTheSame) {
+TEST(RayimgMerge, ImagesWithoutSettingsWeighTheSame) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   Words words{"merge", "-out", folder / "mean.pfm"};
@@ -208,8 +208,8 @@ TEST(RayimgMerge, PicturesWithoutSettingsWeighTheSame) {
   EXPECT_EQ(mean.b, 7);
 }
 
-// The mean of a picture with itself has the noise of one, and would claim the samples of two.
-TEST(RayimgMerge, RefusesWhatIsNotIndependentOrNotFinishedUnlessForced) {
+// The mean of an image with itself has the noise of one, but its settings would state the samples of two.
+TEST(RayimgMerge, RefusesDependentOrUnfinishedImagesUnlessForced) {
   NEEDS_RAYIMG();
   if (!HasExr()) GTEST_SKIP() << "no EXR in this build";
   const TemporaryFolder folder;
@@ -235,8 +235,8 @@ TEST(RayimgMerge, RefusesWhatIsNotIndependentOrNotFinishedUnlessForced) {
   EXPECT_EQ(Rayimg({"merge", a, other_seed, "-out", folder / "out.exr"}).status, 0);
 }
 
-// The mean of two scenes, or of a deep and a shallow render, is a picture of nothing.
-TEST(RayimgMerge, RefusesPicturesOfOtherSettingsUnlessForced) {
+// The mean of two scenes, or of a deep and a shallow render, is an image of neither.
+TEST(RayimgMerge, RefusesImagesOfOtherSettingsUnlessForced) {
   NEEDS_RAYIMG();
   if (!HasExr()) GTEST_SKIP() << "no EXR in this build";
   const TemporaryFolder folder;

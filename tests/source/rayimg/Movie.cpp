@@ -1,4 +1,4 @@
-// rayimg movie, by the bytes of its files.
+// rayimg movie, tested on the bytes of its files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace ray::rayimg {
 namespace {
 
-/// A little reader of RIFF, by the specification and without a look at the writer.
+/// A small reader of RIFF that follows the specification and shares no code with the writer.
 struct Riff {
   std::string bytes;
 
@@ -22,8 +22,8 @@ struct Riff {
     return number;
   }
 
-  /// Where the content of the chunk begins that the path leads to, "hdrl/strl/strh"; nothing if there is none, or if
-  /// chunks do not fill what holds them to the byte.
+  /// Returns the start of the content of the chunk at a path such as "hdrl/strl/strh", or nothing if the path leads to
+  /// no chunk or if chunks do not exactly fill the chunk that contains them.
   std::optional<std::size_t> Find(const std::string& path) const { return Find(path, 12, 8 + Number(4)); }
   std::optional<std::size_t> Find(const std::string& path, std::size_t at, std::size_t end) const {
     std::optional<std::size_t> found;
@@ -41,7 +41,7 @@ struct Riff {
   }
 };
 
-/// Frames that differ, at least one of them of an odd number of bytes.
+/// Different frames, at least one of them of an odd number of bytes.
 Words SaveFrames(const TemporaryFolder& folder, int count) {
   Words names;
   bool is_any_odd = false;
@@ -54,7 +54,7 @@ Words SaveFrames(const TemporaryFolder& folder, int count) {
   return names;
 }
 
-TEST(RayimgMovie, TheHeadersTellSizeSpeedAndNumberOfFrames) {
+TEST(RayimgMovie, TheHeadersStateSizeSpeedAndNumberOfFrames) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const Words frames = SaveFrames(folder, 3);
@@ -93,8 +93,8 @@ TEST(RayimgMovie, TheHeadersTellSizeSpeedAndNumberOfFrames) {
   EXPECT_EQ(avi.Letters(*format + 16), "MJPG");
 }
 
-// Seen twice: by walking from chunk to chunk, as one plays, and through the index, as one jumps.
-TEST(RayimgMovie, ChunksAndIndexHoldEveryFramesJpeg) {
+// Found in two ways: from chunk to chunk, like a player that plays, and through the index, like one that seeks.
+TEST(RayimgMovie, ChunksAndIndexContainEveryFramesJpeg) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   Words frames = SaveFrames(folder, 5);
@@ -136,14 +136,14 @@ TEST(RayimgMovie, AnOlderMovieStaysWhenAFrameIsBad) {
   EXPECT_TRUE(ReadFile(out).starts_with("RIFF"));
 }
 
-// A movie keeps the bytes of its frames, and players do not look for EXIF in them.
-TEST(RayimgMovie, AFrameThatAsksToBeTurnedIsRefused) {
+// A movie keeps the bytes of its frames, and players ignore EXIF in them.
+TEST(RayimgMovie, AFrameWithARotationIsRefused) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
   const Finished done =
       Rayimg({"movie", folder / "out.avi", (project::Root() / "tests/R2/samples/orientation-3.jpg").string()});
   EXPECT_EQ(done.status, 2);
-  EXPECT_TRUE(Has(done.error, "asks to be turned")) << done.error;
+  EXPECT_TRUE(Has(done.error, "has an orientation")) << done.error;
 }
 
 // --- wrong input ---

@@ -8,7 +8,7 @@
 #include "source/app/options/Program.h"
 #include "tests/source/app/Program.h"
 
-/// Running rayimg on pictures made for it.
+/// Runs rayimg on images made for the test.
 namespace ray::rayimg {
 
 using testing::Decode;
@@ -33,13 +33,13 @@ inline R2::Image Filled(int width, int height, const R2::Color& c) {
   return image;
 }
 
-/// Writes a picture in the format of its name, and returns the name.
+/// Writes an image in the format of its name, and returns the name.
 inline std::string Save(const std::string& file, const R2::Image& image, const R2::ImageSettings& settings = {}) {
   const auto bytes = R2::FormatForName(file)->encode(image, {}, settings);
   return WriteFile(file, {bytes.begin(), bytes.end()});
 }
 
-/// The only format of floats that keeps settings may be missing from this build.
+/// The only float format that keeps settings may be missing from this build.
 inline bool HasExr() { return R2::FormatForName("a.exr") != nullptr; }
 
 }  // namespace ray::rayimg

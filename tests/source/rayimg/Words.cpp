@@ -28,7 +28,7 @@ TEST(Rayimg, HelpIsAnsweredAnywhere) {
   EXPECT_EQ(Rayimg({"-complete", "bash"}).output, BashCompletion(program));
 }
 
-TEST(RayimgHelp, NamesEveryOptionWhereItBelongsAndFitsTheScreen) {
+TEST(RayimgHelp, NamesEveryOptionAtItsCommandAndFitsTheScreen) {
   for (const CommandKind& command : program.commands()) {
     EXPECT_TRUE(Has(Help(program, ""), "\n  " + std::string(command.name) + " ")) << command.name;
     const std::string help = Help(program, command.name);
@@ -47,7 +47,7 @@ TEST(RayimgHelp, EveryOptionBelongsToACommandThatExists) {
   }
 }
 
-TEST(RayimgHelp, TheShellAndTheManualLearnEveryOption) {
+TEST(RayimgHelp, CompletionAndManualListEveryOption) {
   for (const OptionKind& option : OptionTable(program)) {
     const std::string name = option.name;
     EXPECT_TRUE(Has(BashCompletion(program), "-" + name)) << name;
@@ -55,7 +55,7 @@ TEST(RayimgHelp, TheShellAndTheManualLearnEveryOption) {
   }
 }
 
-/// What bash offers for the last of the words.
+/// Returns the completions that bash offers for the last word.
 std::string BashOffers(const std::string& words) {
   const TemporaryFolder folder;
   WriteFile(folder / "complete", BashCompletion(program));
@@ -77,8 +77,8 @@ TEST(RayimgHelp, BashOffersCommandsTheirOptionsAndChoices) {
   EXPECT_EQ(BashOffers("rayimg -complete b"), "bash\n");
 }
 
-// A reader of the documentation must not meet an option that is gone, or miss one.
-TEST(RayimgHelp, TheDocumentedTableIsOurs) {
+// The documentation must list every option and no removed one.
+TEST(RayimgHelp, TheDocumentedTableIsCurrent) {
   const char* root = std::getenv("RAYPRO_ROOT");
   const std::string page = ReadFile(std::string(root ? root : ".") + "/docs/options.md");
   EXPECT_TRUE(Has(page, Help(program, "markdown"))) << "run script/update_docs.sh";

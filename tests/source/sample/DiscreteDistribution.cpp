@@ -34,7 +34,7 @@ TEST(Extremes, I3_LightsAreDrawnByTheirWeights) {
   }
   for (const double w : weights) shares.push_back(w / all);
   EXPECT_LT(chi_square::OverQuantile(counts, shares, 0.005), 1);
-  // What is left of u is even again.
+  // The rest of u is uniform again.
   EXPECT_LT(chi_square::OverQuantile(rests, std::vector<double>(256, 1.0 / 256), 0.005), 1);
 }
 
@@ -63,7 +63,7 @@ TEST(DiscreteDistribution, ZeroWeightsAreNeverDrawnEvenAtTheEnds) {
   EXPECT_EQ(discrete.Probability(0), 0);
 }
 
-TEST(DiscreteDistribution, DrawsWhatASearchThroughAllSumsFinds) {
+TEST(DiscreteDistribution, AgreesWithASearchThroughAllSums) {
   const std::vector<double> tiny_and_huge{1e-300, 0, 1, 1e-17, 1e-17, 1e9, 0, 0};
   for (const auto& weights : {RandomWeights(300), RandomWeights(7), RandomWeights(1), tiny_and_huge}) {
     const ray::DiscreteDistribution discrete(weights);
@@ -93,7 +93,7 @@ TEST(DiscreteDistribution, HugeAndTinyWeightsNeitherOverflowNorVanish) {
     EXPECT_EQ(discrete.Probability(3), 0.25) << w;
     EXPECT_EQ(discrete.Draw(last).index, 4u) << w;
   }
-  // One that the sum rounds away is not drawn, and says so.
+  // A weight that the sum rounds away is never drawn, and has probability 0.
   const ray::DiscreteDistribution lopsided(std::vector<double>{huge, tiny});
   EXPECT_EQ(lopsided.Probability(1), 0);
   EXPECT_EQ(lopsided.Draw(last).index, 0u);

@@ -7,7 +7,7 @@
 namespace ray {
 namespace {
 
-/// Paths of different pixels and samples.
+/// Returns paths of different pixels and samples.
 std::vector<SampleIndex> SomePaths(std::uint32_t count, int camera_dimensions) {
   std::vector<SampleIndex> paths;
   for (std::uint32_t i = 0; i < count; ++i)
@@ -18,7 +18,7 @@ std::vector<SampleIndex> SomePaths(std::uint32_t count, int camera_dimensions) {
 const std::array all_kinds{SamplerKind::sobol, SamplerKind::random, SamplerKind::stratified, SamplerKind::grid,
                            SamplerKind::rotated_grid};
 
-TEST(PointsOfEach, ArePathByPathThePointsOfItsOwn) {
+TEST(PointsOfEach, EqualThePointsOfEachPath) {
   for (const SamplerKind kind : all_kinds)
     for (const int camera_dimensions : {0, 5})
       for (const std::uint32_t count : {0u, 1u, 7u, 64u}) {
@@ -47,7 +47,7 @@ void ExpectPointsOfTheirOwn() {
   }
 }
 
-TEST(PointsOfEach, OfTwoToFiveCoordinatesAreSoToo) {
+TEST(PointsOfEach, WithTwoToFiveCoordinatesAlsoEqualThem) {
   ExpectPointsOfTheirOwn<2>();
   ExpectPointsOfTheirOwn<3>();
   ExpectPointsOfTheirOwn<4>();

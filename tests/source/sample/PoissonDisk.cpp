@@ -1,4 +1,4 @@
-// Places that keep a distance from each other.
+// Points that keep a distance from each other.
 #include "source/sample/PoissonDisk.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-/// The least distance between the first n places, across the edges of the square too.
+/// Returns the smallest distance between the first n points, also across the edges of the square.
 double LeastDistance(std::uint32_t n, const RandomKey& key) {
   double least = 2;
   for (std::uint32_t i = 0; i < n; ++i)
@@ -22,12 +22,12 @@ double LeastDistance(std::uint32_t n, const RandomKey& key) {
   return least;
 }
 
-TEST(PoissonDisk, PlacesKeepTheirDistanceWhateverTheirNumber) {
+TEST(PoissonDisk, PointsKeepTheirDistanceForAnyNumber) {
   for (std::uint32_t n = 2; n <= 64; ++n)
     EXPECT_GE(LeastDistance(n, RandomKey(n)) * std::sqrt(n), 0.55) << n;
 }
 
-TEST(PoissonDisk, EveryPlaceIsAsLikely) {
+TEST(PoissonDisk, EveryPositionIsEquallyLikely) {
   constexpr int cells = 8, keys = 40'000;
   std::vector<int> counts(cells * cells);
   for (int key = 0; key < keys; ++key) {
@@ -40,7 +40,7 @@ TEST(PoissonDisk, EveryPlaceIsAsLikely) {
   EXPECT_LT(square, 110);
 }
 
-TEST(PoissonDisk, SixtyFourOnAreOthers) {
+TEST(PoissonDisk, PointsFromSixtyFourOnAreDifferent) {
   const RandomKey key(5);
   EXPECT_NE(PoissonDiskPlace(64, key).x, PoissonDiskPlace(0, key).x);
   EXPECT_EQ(PoissonDiskPlace(63, key).x, PoissonDiskPlace(63, key).x);

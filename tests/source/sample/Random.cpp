@@ -43,15 +43,15 @@ TEST(Shuffled, SendsIndicesEverywhereForCountsBeyondHalfOfAllNumbers) {
     for (std::uint32_t i = 0; i < asked / 2; ++i) seen.insert({shuffle(i), shuffle(count - 1 - i)});
     EXPECT_EQ(seen.size(), asked) << count;
     EXPECT_LT(*seen.rbegin(), count);
-    // The mean of so many random places has a standard error of sqrt(1 / 12 / 20,000) = .002.
+    // The mean of this many random points has a standard error of sqrt(1 / 12 / 20,000) = .002.
     double sum = 0;
     for (const std::uint32_t place : seen) sum += static_cast<double>(place) / count;
     EXPECT_NEAR(sum / asked, 0.5, 4 * 0.002) << count;
   }
 }
 
-// Samples of a pixel times shadow rays of each may be more than 32 bits hold: strata then are as many as fit, and no
-// number is drawn twice.
+// Samples of a pixel times their shadow rays may exceed 32 bits: there are then as many strata as fit, and no number is
+// drawn twice.
 TEST(Points, AreSpreadEvenlyHoweverManyThereAre) {
   constexpr std::uint32_t samples = 2'000'000'000, each = 9, asked = 300;
   for (const ray::SamplerKind kind :
@@ -85,7 +85,7 @@ TEST(Points, Beyond32BitsUseAsManyStrataAsFit) {
 TEST(Stratified, PutsOnePointIntoEachCellForEveryCount) {
   for (const std::uint32_t count : {1u, 2u, 3u, 4u, 7u, 16u, 17u, 64u, 100u, 1000u}) {
     const ray::RandomKey key(count);
-    // The rows as stated: as many as the rounded root, each with its share of the points.
+    // The rows as documented: as many as the rounded root, each with its share of the points.
     const auto rows = static_cast<std::uint32_t>(std::max(1.0, std::round(std::sqrt(count))));
     std::vector<std::vector<int>> cells(rows);
     for (std::uint32_t r = 0; r < rows; ++r) cells[r].resize((r + 1) * count / rows - r * count / rows);
@@ -104,7 +104,7 @@ TEST(Stratified, PutsOnePointIntoEachCellForEveryCount) {
   }
 }
 
-TEST(Stratified, IsUnbiasedForACountThatIsNoSquare) {
+TEST(Stratified, IsUnbiasedForACountThatIsNotASquare) {
   // The mean of x + 2y over sets of 7 is 1.5; one set's standard error is under 0.1, that of 4000 sets under 0.0016.
   double sum = 0;
   for (std::uint64_t seed = 0; seed < 4000; ++seed)
@@ -125,7 +125,7 @@ TEST(RandomKey, NeighborsAreNotCorrelated) {
   EXPECT_NEAR(sum / 1e6, 0, 4 * (1.0 / 12) / 1000);
 }
 
-// Two pixels that draw the same numbers share their noise. (Child b of seed a once was child a of seed b, so that
+// Two pixels that draw the same numbers share their noise. (Child b of seed a was once child a of seed b, so that
 // column 1 of seed 0 had the numbers of column 0 of seed 1, and column s those of seed s for every s.)
 TEST(Extremes, I6_NoPixelAndNoSeedRepeatsTheStreamOfAnother) {
   std::vector<std::uint64_t> keys;

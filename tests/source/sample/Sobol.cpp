@@ -57,7 +57,7 @@ TEST(Owen, NoBitIsFlippedByABitBelowIt) {
   for (std::uint64_t i = 0; i < 20000; ++i) {
     const std::uint32_t seed = static_cast<std::uint32_t>(key.Child(i).Bits());
     const std::uint32_t bits = static_cast<std::uint32_t>(key.Child(i).Child(1).Bits());
-    const int changed = static_cast<int>(i % 32);  // in reversed numbers, a HIGH place is a low bit
+    const int changed = static_cast<int>(i % 32);  // in reversed numbers, a HIGH position is a low bit
     const std::uint32_t a = OwenReversed(bits, seed), b = OwenReversed(bits ^ (1u << changed), seed);
     const std::uint32_t above = (1u << changed) - 1;
     ASSERT_EQ(a & above, b & above);
@@ -65,7 +65,7 @@ TEST(Owen, NoBitIsFlippedByABitBelowIt) {
   }
 }
 
-/// The permutation by its definition: each bit flipped by a hash of the bits above it.
+/// Applies the permutation by its definition: each bit flipped by a hash of the bits above it.
 std::uint32_t OwenByDefinition(std::uint32_t bits, const RandomKey& key) {
   std::uint32_t result = 0;
   for (int i = 0; i < 32; ++i) {
@@ -76,7 +76,7 @@ std::uint32_t OwenByDefinition(std::uint32_t bits, const RandomKey& key) {
   return result;
 }
 
-/// Root mean square error of the mean of `f` at n points, whose truth is 1, over many scrambles.
+/// Returns the root mean square error of the mean of `f` at n points, whose exact value is 1, over many scrambles.
 template <typename Point>
 double ErrorOf(std::uint32_t n, const Point& point) {
   constexpr int scrambles = 300;
@@ -84,7 +84,7 @@ double ErrorOf(std::uint32_t n, const Point& point) {
   for (std::uint64_t scramble = 0; scramble < scrambles; ++scramble) {
     double sum = 0;
     for (std::uint32_t i = 0; i < n; ++i) {
-      double product = 1;  // of (x + 1/2): smooth, all coordinates act on each other
+      double product = 1;  // of (x + 1/2): smooth, all coordinates interact
       for (const double x : point(scramble, i)) product *= x + 0.5;
       sum += product;
     }

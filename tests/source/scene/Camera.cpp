@@ -15,7 +15,7 @@ void ExpectFrame(const ray::Camera& c) {
   EXPECT_NEAR(Dot(Cross(c.right, c.up), -c.towards), 1, 1e-15);  // right-handed
 }
 
-TEST(Camera, TheEdgesOfThePictureAreXfovFromTheAxis) {
+TEST(Camera, TheEdgesOfTheImageAreXfovFromTheAxis) {
   ray::Camera c = ray::Aim({}, {0, 0, -2}, {0, 3, 0}).camera;
   c.xfov = 0.3;
   const auto angle = [&](double x, double y) {
@@ -29,7 +29,7 @@ TEST(Camera, TheEdgesOfThePictureAreXfovFromTheAxis) {
   EXPECT_LT(c.Through(100, 0, 200, 100).direction.y, 0);             // y from the bottom
 }
 
-TEST(Camera, AnAspectOfItsOwnIsKeptWhateverThePixels) {
+TEST(Camera, ItsOwnAspectIsKeptForAnyPixels) {
   ray::Camera c = ray::Aim({}, {0, 0, -1}, {0, 1, 0}).camera;
   c.xfov = std::atan(2);
   c.aspect = 4;
@@ -40,7 +40,7 @@ TEST(Camera, AnAspectOfItsOwnIsKeptWhateverThePixels) {
   }
 }
 
-TEST(Camera, AShiftMovesTheWholePictureByHalfWidths) {
+TEST(Camera, AShiftMovesTheWholeImageByHalfWidths) {
   ray::Camera c = ray::Aim({}, {0, 0, -1}, {0, 1, 0}).camera;
   c.xfov = std::atan(2);
   c.shift = {0.5, -1};
@@ -58,7 +58,7 @@ TEST(Camera, StraightensUpThatIsNotPerpendicular) {
   EXPECT_GT(Dot(aimed.camera.up, R3::Vector{0.3, 1, -0.2}), 0);
 }
 
-TEST(Extremes, G2_UpParallelToTheViewIsReplacedAndSaidSo) {
+TEST(Extremes, G2_UpParallelToTheViewIsReplacedAndReported) {
   for (const R3::Vector towards : {R3::Vector{0, 1, 0}, R3::Vector{0, -1, 0}, R3::Vector{1e-11, -1, 0},
                                    R3::Vector{0.3, 0.4, 0.5}, R3::Vector{1, 0, 0}, R3::Vector{0, 0, 1e-200}}) {
     for (const double sign : {1.0, -1.0}) {

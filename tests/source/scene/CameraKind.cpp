@@ -16,8 +16,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int width = 200, height = 120;
 
-/// Where a picture of width x height shows what is seen along a ray, by equations of each projection in angles, which
-/// share no code with the camera. `v` is right, up and towards.
+/// Returns the point where an image of width x height shows the target of a ray, by equations of each projection in
+/// angles that share no code with the camera. `v` is right, up and towards.
 using Inverse = std::array<double, 2> (*)(const std::array<double, 3>& v, double extent);
 const std::map<std::string, Inverse> inverses{
     {"pinhole",
@@ -45,7 +45,7 @@ const std::map<std::string, Inverse> inverses{
      }},
 };
 
-/// A camera of the kind that stands and looks anywhere.
+/// Makes a camera of the kind at any position and direction.
 Camera AnyCamera(const CameraKind& kind, Draw& draw) {
   Camera camera = Aim(R3::Point{} + draw.Direction(), draw.Direction(), draw.Direction()).camera;
   camera.kind = &kind;
@@ -89,7 +89,7 @@ TEST(CameraKind, AFisheyeSeesNothingOutsideOfItsCircle) {
   }
 }
 
-TEST(CameraKind, LensesLieAcrossWhatTheySee) {
+TEST(CameraKind, LensesArePerpendicularToTheirView) {
   Draw draw(4102);
   for (const CameraKind* kind : CameraKinds()) {
     if (!kind->sight || !kind->has_lens) continue;
@@ -105,14 +105,14 @@ TEST(CameraKind, LensesLieAcrossWhatTheySee) {
   }
 }
 
-TEST(CameraKind, AViewOfItsOwnShiftsAndSqueezesEveryProjection) {
+TEST(CameraKind, AViewShiftsAndSqueezesEveryProjection) {
   for (const CameraKind* kind : CameraKinds()) {
     Camera camera;
     camera.kind = kind;
     camera.extent = kind->extent == CameraExtent::none || !kind->sight ? 0 : 100;
     camera.shift = {0.25, -0.125};
     camera.aspect = 2;
-    // In half widths the middle is at the shift, and the upper edge half a half width above it.
+    // In half widths the center is at the shift, and the upper edge half a half width above it.
     Camera plain = camera;
     plain.shift = {0, 0};
     const auto moved = camera.RayThrough(100, 50, 200, 100), same = plain.RayThrough(125, 50 - 12.5, 200, 100);

@@ -44,7 +44,8 @@ R2::Image RandomImage(int width, int height) {
   return image;
 }
 
-// The direction of a place in a latitude-longitude map, in shares of its width and height: the layout as documented.
+// Returns the direction of a point in a latitude-longitude map, in shares of its width and height: the layout as
+// documented.
 R3::Vector Direction(double u, double v) {
   const double longitude = 2 * pi * (u - 0.5), latitude = pi * (v - 0.5);
   return {std::cos(latitude) * std::sin(longitude), std::sin(latitude), -std::cos(latitude) * std::cos(longitude)};
@@ -64,7 +65,7 @@ void ExpectTheSixColors(const Environment& environment) {
   }
 }
 
-// Writes a name's worth of color over a rectangle of pixels, in shares of the image.
+// Fills a rectangle of pixels, in shares of the image, with a color that stands for a name.
 void Fill(R2::Image& image, double x0, double y0, double x1, double y1, const R2::Color& color) {
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) {
@@ -137,7 +138,7 @@ TEST(Environment, AProbeIsWhereDocumented) {
 }
 
 TEST(Environment, AnglesInAProbeGrowEvenlyFromTheMiddle) {
-  // A ramp of r over the share of the angle from -z: the map must read it back within its texel and the probe's pixel.
+  // A ramp of r over the share of the angle from -z: the map must reproduce it within its texel and the probe's pixel.
   R2::Image image(400, 400);
   for (int y = 0; y < 400; ++y)
     for (int x = 0; x < 400; ++x) image.Set(x, y, {std::hypot((x + 0.5) / 200 - 1, (y + 0.5) / 200 - 1), 1, 1});
@@ -173,7 +174,7 @@ TEST(Environment, CrossesAreWhereDocumented) {
   }
 }
 
-// What a cross of this shape must show in a direction so that nothing jumps where faces meet: the direction itself.
+// Returns the color that a cross must show in a direction so that nothing jumps where faces meet: the direction itself.
 R2::Image DirectionsOnACross(bool is_upright, int size) {
   R2::Image image = is_upright ? R2::Image(3 * size, 4 * size) : R2::Image(4 * size, 3 * size);
   const int bottom = is_upright ? 1 : 0;
@@ -184,7 +185,7 @@ R2::Image DirectionsOnACross(bool is_upright, int size) {
         image.Set(column * size + x, row * size + y, {1 + d.x, 1 + d.y, 1 + d.z});
       }
   };
-  // Unfolded from -z ahead: each face turned about the edge it shares with its neighbor.
+  // Unfolded from -z ahead: each face is rotated about the edge that it shares with its neighbor.
   paint(1, bottom + 1, [](double s, double t) { return R3::Vector{s, t, -1}; });
   paint(2, bottom + 1, [](double s, double t) { return R3::Vector{1, t, s}; });
   paint(0, bottom + 1, [](double s, double t) { return R3::Vector{-1, t, -s}; });
@@ -242,7 +243,7 @@ TEST(Environment, TheDensityIsLuminanceOverItsIntegralInEveryLayout) {
   for (const R2::Image& image :
        {RandomImage(32, 16), RandomImage(40, 40), RandomImage(9, 12), RandomImage(12, 9), RandomImage(2, 1)}) {
     const Environment environment(image);
-    // Both integrals by the midpoint rule on the finest map of these, 256 x 128, or a multiple of its texels.
+    // Both integrals by the midpoint rule on the finest of these maps, 256 x 128, or a multiple of its texels.
     double pdf = 0, luminance = 0;
     for (int y = 0; y < 128; ++y)
       for (int x = 0; x < 256; ++x) {
@@ -259,7 +260,7 @@ TEST(Environment, TheDensityIsLuminanceOverItsIntegralInEveryLayout) {
   }
 }
 
-TEST(Environment, ADrawnDirectionTellsWhatArrivesFromIt) {
+TEST(Environment, ADrawnDirectionHasTheRadianceThatArrivesFromIt) {
   for (const R2::Image& image : {RandomImage(64, 32), RandomImage(40, 40), RandomImage(30, 40)}) {
     const Environment environment(image);
     const auto expect_agreement = [&](const R2::Point& u) {
@@ -369,7 +370,7 @@ TEST(Environment, ASmallSunIsHitByNearlyAllDraws) {
   EXPECT_GT(hits, 9990);
 }
 
-TEST(Environment, ABlackOneIsDrawnEvenlyAndSaysSo) {
+TEST(Environment, ABlackOneIsDrawnEvenlyAndReportsIt) {
   for (const R2::Image& image : {R2::Image(8, 4), R2::Image(4, 4)}) {
     const Environment environment(image);
     EXPECT_TRUE(environment.IsBlack());
@@ -413,7 +414,7 @@ std::string ErrorOf(const R2::Image& image) {
   return "none";
 }
 
-TEST(Environment, OtherShapesAreRefusedWithTheShapesThereAre) {
+TEST(Environment, OtherShapesAreRefusedWithTheSupportedOnes) {
   EXPECT_EQ(
       ErrorOf(R2::Image(5, 7)),
       "an environment map must be 2:1 (latitude-longitude), 1:1 (angular probe), or 3:4 or 4:3 (cross of six cube "
@@ -421,7 +422,7 @@ TEST(Environment, OtherShapesAreRefusedWithTheShapesThereAre) {
   EXPECT_NE(ErrorOf(R2::Image()), "none");
 }
 
-TEST(Environment, ValuesThatAreNoLightAreRefusedWithTheirPixel) {
+TEST(Environment, InvalidLightValuesAreRefusedWithTheirPixel) {
   R2::Image image = Filled(8, 4, {1, 1, 1});
   image.Set(6, 1, {0.5, -2, 0});
   EXPECT_EQ(ErrorOf(image),

@@ -13,7 +13,7 @@ std::unique_ptr<const Light> Make(const std::string& name, const std::vector<dou
   return FindLightKind(name)->make(arguments);
 }
 
-// Directions are made unit, so that all 16 digits count where the author wrote three.
+// Directions are normalized, so they have all 16 digits although the author wrote three.
 TEST(Lights, AreDescribedInFewDigits) {
   EXPECT_EQ(Make("dir_light", {1, 1, 1, 1, 2, 3})->Describe(),
             "directional light along 0.26726 0.53452 0.80178, color 1 1 1");
@@ -52,7 +52,7 @@ TEST(Lights, WhatArrivesIsFiniteFromFarAndNear) {
   }
 }
 
-/// Whether any of many places on the light gives p light.
+/// Returns true if any of many points on the light gives light to p.
 bool Shines(const Light& light, const R3::Point& p) {
   const RandomKey key(11);
   for (std::uint64_t i = 0; i < 64; ++i) {
@@ -63,7 +63,7 @@ bool Shines(const Light& light, const R3::Point& p) {
 }
 
 // Points around the light, most of them close to the plane of its disc or the surface of its sphere.
-TEST(Lights, NeverShineWhereTheySayTheyDoNot) {
+TEST(Lights, NeverShineWhereTheyReportThatTheyDoNot) {
   const RandomKey key(7);
   int dark = 0, lit = 0;
   for (const char* kind : {"area_light", "sphere_light"})
@@ -97,12 +97,12 @@ TEST(Lights, BatchedSamplesEqualSingleOnesBitForBit) {
     const auto light = kind->make(kind->example);
     for (const double y : {3.0, 2.9, 0.0, -1e6, -1e150, -1e200, 1e160}) {
       LightSamples samples;
-      samples.count = 61;  // no multiple of what a vector instruction takes
+      samples.count = 61;  // not a multiple of a vector's length
       for (std::uint32_t i = 0; i < samples.count; ++i) {
         samples.random.Set(i, {key.Child(i).Number(), key.Child(i).Child(1).Number()});
         samples.from.Set(i, {i % 2 == 0 ? 0.5 + i : 0.5, y, -1});
       }
-      samples.random.Set(7, {0.5, 0.5});  // the middle of a disc
+      samples.random.Set(7, {0.5, 0.5});  // the center of a disc
       light->IlluminateEach(samples);
       for (std::uint32_t i = 0; i < samples.count; ++i) {
         const auto alone = light->Illuminate(samples.from[i], samples.random[i]);
@@ -125,7 +125,7 @@ TEST(Lights, TheDefaultsAreTheCourses) {
   EXPECT_NEAR(second->to_light.y, -2 / std::sqrt(22.0), 1e-15);
 }
 
-TEST(DirLight, IsTheSameEverywhereAndHasNoPlace) {
+TEST(DirLight, IsTheSameEverywhereAndHasNoPosition) {
   const auto light = Make("dir_light", {1, 2, 3, 0, 0, -10});
   for (const R3::Point& p : {R3::Point{}, R3::Point{1e9, -5, 2}}) {
     const auto arriving = light->Illuminate(p, {});
@@ -164,7 +164,7 @@ TEST(SpotLight, NeverShinesBackwardsHoweverWide) {
   EXPECT_THROW(Make("spot_light", {1, 1, 1, 0, 0, 0, 0, 0, -1, 1, 0, 0, 3.2, 0}), R3::ArgumentError);
 }
 
-/// Where on the light a sample went.
+/// Returns the point on the light that a sample chose.
 R3::Point Place(const Light& light, const R3::Point& seen_from, const R2::Point& random) {
   return seen_from + light.Illuminate(seen_from, random)->to_light;
 }

@@ -21,7 +21,7 @@ TEST(Texture, ShowsEachTexelPureAtItsCenter) {
   EXPECT_EQ(texture.At({0.75, 0.75}), (R2::Color{1, 1, 1}));
 }
 
-// A ray never meets a middle exactly.
+// A ray never meets a center exactly.
 TEST(Texture, ShowsATexelPureDespiteRoundedCoordinates) {
   for (const int columns : {2, 3, 16, 1000}) {
     R2::Image image(columns, 1);
@@ -62,14 +62,14 @@ TEST(Texture, ContinuesBeyondAPoleHalfATurnFurther) {
   EXPECT_EQ(texture.At({0.5 / 3, 0.75}, ends), texture.At({0.5 / 3, 0.75}));
 }
 
-TEST(Texture, BeyondARimTheLastRowGoesOn) {
+TEST(Texture, BeyondARimTheLastRowContinues) {
   const ray::Texture texture = TwoByTwo();
   const R3::VEnds ends{R3::VEnd::rim, R3::VEnd::rim};
   for (const double v : {0.75, 0.9, 1.0, 1.25}) EXPECT_EQ(texture.At({0.25, v}, ends), (R2::Color{0, 0, 1})) << v;
   for (const double v : {0.25, 0.1, 0.0, -0.25}) EXPECT_EQ(texture.At({0.25, v}, ends), (R2::Color{1, 0, 0})) << v;
 }
 
-// Slopes are asked for half a row beyond each end.
+// Slopes are evaluated half a row beyond each end.
 TEST(Texture, OfASingleTexelIsThatTexelEverywhere) {
   R2::Image image(1, 1);
   image.Set(0, 0, {1, 0.5, 0.25});

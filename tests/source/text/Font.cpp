@@ -21,7 +21,7 @@ TEST(Font, EveryGlyphDiffersFromEveryOther) {
   for (int glyph = 0; glyph < ray::glyph_count; ++glyph) EXPECT_TRUE(seen.insert(CellOf(glyph)).second) << glyph;
 }
 
-// Letters that touch cannot be told apart.
+// Letters that touch are hard to distinguish.
 TEST(Font, GlyphsLeaveTheirLastColumnFree) {
   for (int glyph = 0; glyph < ray::glyph_count; ++glyph)
     for (int y = 0; y < ray::glyph_height; ++y)

@@ -5,7 +5,7 @@
 namespace ray {
 namespace {
 
-TEST(LookAlike, AWordWithOneIsToldWhatToType) {
+TEST(LookAlike, AWordWithOneGetsAHintWhatToType) {
   EXPECT_EQ(LookAlikeHint("\u22121"), "it has U+2212, a minus sign: type '-1'");
   EXPECT_EQ(LookAlikeHint("1\u20132"), "it has U+2013, an en dash: type '1-2'");
   EXPECT_EQ(LookAlikeHint("sphere\u00A0-1"), "it has U+00A0, a no-break space: type 'sphere -1'");
@@ -21,7 +21,7 @@ TEST(LookAlike, OtherWordsGetNoHint) {
     EXPECT_EQ(LookAlikeHint(word), "") << word;
 }
 
-// Of each digit of each kind, the digit itself, by counting.
+// For each digit of each script, the digit itself, by counting.
 TEST(LookAlike, DigitsOfOtherScriptsAreTheDigits) {
   for (const char* zero : {"\u0660", "\u06F0", "\uFF10"})
     for (int digit = 0; digit <= 9; ++digit) {
@@ -31,7 +31,7 @@ TEST(LookAlike, DigitsOfOtherScriptsAreTheDigits) {
     }
 }
 
-TEST(LookAlike, BytesThatAreNoTextStay) {
+TEST(LookAlike, BytesThatAreNotTextStay) {
   EXPECT_EQ(WithoutLookAlikes("\xFF\u2212\xE2\x88"), "\xFF-\xE2\x88");
   EXPECT_EQ(WithoutLookAlikes("größe\u2212"), "größe-");
 }

@@ -41,8 +41,8 @@ TEST(Number, TheProblemSaysWhatToDo) {
   EXPECT_STREQ(ParseNumber("1,5").problem, "must be a number, with a point and no comma");
 }
 
-// What printf of several systems makes of NaN and infinity. Microsoft's up to 2013 rounds the letters to the digits
-// that were asked for, as if they were some.
+// The output of printf for NaN and infinity on several systems. Microsoft's up to 2013 rounds the letters to the
+// requested digits as if they were a number.
 TEST(Number, NanAndInfinityOfEverySystemAreRecognized) {
   for (const char* word :
        {"1.#QNAN", "-1.#IND",   "1.#INF",    "+1.#INF", "1.#SNAN", "1.#INF00", "-1.#IND000",     "1.#QNAN0",
@@ -77,7 +77,7 @@ TEST(Extremes, K6_TenThousandDigitsAreStillANumber) {
   EXPECT_EQ(Value(seven), 7);
 }
 
-TEST(Extremes, K6_TheLocaleHasNoSay) {
+TEST(Extremes, K6_TheLocaleHasNoEffect) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE"})
     if (std::setlocale(LC_ALL, name)) break;

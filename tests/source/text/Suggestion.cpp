@@ -9,7 +9,7 @@
 namespace ray {
 namespace {
 
-/// The distance by the whole table, from the definition: no row is left out.
+/// Returns the distance by the whole table, from the definition, without skipping rows.
 std::size_t DistanceByTable(const std::string& a, const std::string& b) {
   std::vector table(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i)
@@ -36,7 +36,7 @@ std::string FirstOfTheNearest(const std::string& word, const std::vector<std::st
   return distance(*nearest) <= word.size() / 3 ? "did you mean '" + *nearest + "'?" : "";
 }
 
-// Words that cannot be the nearest are given up early; none that is may be lost by that.
+// Words that cannot be the nearest are abandoned early; none that is the nearest may be lost by that.
 TEST(Suggestion, IsTheFirstOfTheNearestWords) {
   std::mt19937 random(1);
   int suggested = 0;

@@ -10,7 +10,7 @@ constexpr std::string_view marks = ",\"()";
 
 bool IsMark(std::string_view token) { return token.size() == 1 && marks.find(token[0]) != std::string_view::npos; }
 
-/// Cuts a word at its marks.
+/// Splits a word at its punctuation.
 void Cut(Token word, std::vector<Token>& tokens) {
   while (!word.text.empty()) {
     const std::size_t mark = std::min(word.text.find_first_of(marks), word.text.size());

@@ -17,30 +17,30 @@ struct Number {
 };
 using Triple = std::array<Number, 3>;
 
-/// The tokens of every line that has any: a line is cut at white space, and at " ( ) and commas, which are tokens
-/// themselves. A byte order mark at the start is passed over.
+/// Returns the tokens of every nonempty line. Lines are split at white space, and at " ( ) and commas, which are also
+/// tokens. A byte order mark at the start is skipped.
 std::vector<std::vector<Token>> TokensByLine(const Text& text);
 
-/// One line of a scene, a command and what it takes, while it is read. A wrong value is noted and reading goes on, so
-/// that one run tells all that is wrong with a line; wrong punctuation and a missing value end it. A line with errors
+/// One line of a scene while it is read: a command and its arguments. A wrong value is recorded and reading continues,
+/// so that one run reports all mistakes in a line; wrong punctuation and a missing value end it. A line with errors
 /// must have no effect.
 class Line {
  public:
-  /// Thrown when the line cannot be read on; the error has been noted.
+  /// Thrown if the line cannot be read further; the error has been recorded.
   struct Incomplete {};
 
-  /// The line must outlive this; `usage` is shown where something is missing.
+  /// Prepares to read a line, which must outlive this; `usage` is shown if something is missing.
   Line(const Text& text, std::span<const Token> tokens, std::string usage)
       : text_(text), tokens_(tokens), usage_(std::move(usage)) {}
 
-  /// A token in quotes.
+  /// Reads a token in quotes.
   Token Name(const char* what);
-  /// A token that is neither name nor number.
+  /// Reads a token that is neither name nor number.
   Token Word(const char* what);
   Number Real(const char* what);
-  /// (x, y, z); `parts` names them, a letter each.
+  /// Reads (x, y, z); `parts` contains their names, one letter each.
   Triple Vector(const char* what, std::string_view parts);
-  /// What is left over behind the command; nothing of it is used.
+  /// Returns the tokens that remain after the command; they are ignored.
   std::span<const Token> Rest() const { return tokens_.subspan(next_); }
 
   void Error(const Token& at, std::string message, std::string hint = {});
@@ -49,9 +49,9 @@ class Line {
   std::vector<SceneError> Errors() && { return std::move(errors_); }
 
  private:
-  /// An error that ends the line.
+  /// Reports an error and ends the line.
   [[noreturn]] void Stop(const Token& at, std::string message);
-  /// The next token, which must be there: `what` is to begin with it.
+  /// Returns the next token, which must exist; `what` names it in messages.
   Token Next(const std::string& what);
   void Expect(std::string_view mark, const std::string& where, const std::string& what);
   Number RealNamed(const std::string& what);

@@ -19,9 +19,9 @@ namespace ray {
 namespace comp30019 {
 namespace {
 
-// The course's rules that no file can change. Its reference pictures fit a recursion of 8 to 10 bounces best. Each
-// emissive entity is one light with the full color of its material; of models the course does not say so, but does of
-// spheres and triangles. Ambient light, which mode path traces, adds to that.
+// The course's rules that no file can change. Its reference images match a recursion of 8 to 10 bounces best. Each
+// emissive entity is one light with the full color of its material; the course states this for spheres and triangles,
+// but not for models. Ambient light, which mode path traces, adds to that.
 constexpr std::array rules{
     std::pair{"width", "400"},  std::pair{"height", "400"},      std::pair{"sampler", "grid"},
     std::pair{"samples", "1"},  std::pair{"max_depth", "10"},    std::pair{"min_luminance", "0"},
@@ -29,7 +29,7 @@ constexpr std::array rules{
     std::pair{"emissive_meshes", "whole"}, std::pair{"emission", "color"},
 };
 
-constexpr std::size_t most_suggested = 100;  // materials; a longer list helps nobody, and takes long to compare with
+constexpr std::size_t most_suggested = 100;  // materials; longer lists are useless and slow to compare with
 
 // Words that begin lines of the language of 2025.
 constexpr std::array<std::string_view, 5> later_commands{"Camera", "TextureMaterial", "ProceduralMaterial",
@@ -47,14 +47,14 @@ const char* NounOf(Reader::Space space) {
   return "";
 }
 
-/// The name that a line gives to a material, if it begins as one: Material "name"
+/// Returns the name of a material if the line begins as: Material "name"
 const Token* NameOfMaterial(std::span<const Token> line) {
   const bool is_one = line.size() > 3 && line[0].text == "Material" && line[1].text == "\"" && line[3].text == "\"";
   return is_one ? &line[2] : nullptr;
 }
 
-/// The token that only the later edition would have there: a command of its own, or the colors that its materials have
-/// in the place of a kind.
+/// Returns the token that only the later edition would have: a command of its own, or the colors that its materials
+/// have in place of a kind.
 const Token* SignOfLaterEdition(std::span<const Token> line) {
   if (std::ranges::find(later_commands, line[0].text) != later_commands.end()) return &line[0];
   return NameOfMaterial(line) && line.size() > 4 && line[4].text == "(" ? &line[4] : nullptr;
@@ -81,7 +81,7 @@ Reader::Reader(const Files& files, const ParseOptions& options, Assets& assets, 
     : files_(files), options_(options), report_(report), assets_(assets) {}
 
 Scene Reader::Read() {
-  builder_.has_camera = builder_.has_light = true;  // the course fills nothing in
+  builder_.has_camera = builder_.has_light = true;  // the course has no default camera or lights
   builder_.scene.camera = ViewFrom({}, {}, 0);
   builder_.scene.is_mirrored = true;
   builder_.scene.settings = Rules();
@@ -120,7 +120,7 @@ void Reader::ReadLine(std::span<const Token> tokens) {
     if (const auto rest = line.Rest(); line.IsGood() && !rest.empty())
       Warn(rest[0], Quoted(rest[0].text) + " and what follows on this line is ignored: " + std::string(command->usage));
   } catch (const Line::Incomplete&) {
-    // What it lacks is among its errors.
+    // The missing argument is among its errors.
   }
   for (SceneError& error : std::move(line).Errors()) report_.Error(std::move(error));
 }
@@ -145,7 +145,8 @@ Token Reader::Declare(Space space, Line& line) {
 }
 
 Material& Reader::NewMaterial(Line& line) {
-  // First of all, so that one with mistakes has its name too, and no error is reported again wherever it is used.
+  // Reserved first, so that a material with mistakes also has its name, and no further error is reported where it is
+  // used.
   auto& materials = builder_.scene.materials;
   materials_.emplace(Declare(Space::material, line).text, static_cast<int>(materials.size()));
   return materials.emplace_back();
@@ -206,8 +207,8 @@ void Reader::AddShape(const Line& line, const char* kind, const std::vector<doub
 }
 
 void Reader::AddModel(Line& line, const Token& file, const R3::Point& offset, double scale, int material) {
-  // Where the course's program is run from, then where the scene is, then that folder's parent: the course's scenes are
-  // in tests/, and name tests/models/bunny.obj.
+  // The course's program searches relative to its working folder; here the scene's folder and its parent follow,
+  // because the course's scenes are in tests/, and name tests/models/bunny.obj.
   const std::filesystem::path folder = std::filesystem::path(files_.TopName()).parent_path();
   const std::array folders{std::string(), folder.string(), (folder / "..").string()};
   Node model;

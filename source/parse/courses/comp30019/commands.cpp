@@ -7,17 +7,17 @@
 namespace ray::comp30019 {
 namespace {
 
-/// A kind of material: what becomes of its color and its index of refraction.
+/// A kind of material: the use of its color and its index of refraction.
 struct MaterialKind {
   std::string_view name;
   bool needs_index;  // above 0
   void (*fill)(Material&, const R2::Color& color, double index);
 };
 
-// Varnish, and most plastics. The course's files give their glossy surfaces an index of 1, which reflects nothing.
+// Varnish, and most plastics. The course's files give their glossy surfaces an index of 1, which would reflect nothing.
 constexpr double usual_coat = 1.5;
 
-// In the order of the course's enumeration, whose numbers are taken for the names.
+// In the order of the course's enumeration, whose numbers are accepted in place of the names.
 constexpr std::array kinds{
     MaterialKind{"Diffuse", false, [](Material& m, const R2::Color& color, double) { m.kd = color; }},
     MaterialKind{"Reflective", false,
@@ -49,7 +49,7 @@ const MaterialKind* ReadKind(Line& line) {
   return nullptr;
 }
 
-/// A plane has no end to be sampled.
+/// Warns about an emissive plane, which is infinite and cannot be sampled.
 void WarnOfEmission(Reader& reader, const Line& plane, int material) {
   if (!IsBlack(reader.MaterialAt(material).emission))
     reader.Warn(plane.Command(), "an emissive Plane is seen but gives no light");
@@ -98,7 +98,7 @@ void ReadSphere(Reader& reader, Line& line) {
   reader.AddShape(line, "sphere", {c.x, c.y, c.z, radius.value}, material);
 }
 
-// The mirror image of corners that are clockwise is counter-clockwise when two of them change places.
+// The mirror image of clockwise corners is counter-clockwise if two of them are swapped.
 void ReadTriangle(Reader& reader, Line& line) {
   reader.Declare(Reader::Space::entity, line);
   const R3::Point a = Mirrored(reader.ReadPoint(line, "first corner"));

@@ -42,7 +42,7 @@ Scene Cs315Reader::Read() {
   const auto depth = scene->Find({"bounce_depth"});
   const auto bounces = depth ? depth->Whole(0, std::numeric_limits<int>::max()) : std::nullopt;
   Set("max_depth", ToText(bounces.value_or(0)), depth ? &depth->What() : nullptr);
-  constexpr double usual_bias = 0.0001;  // of most of the course's files, where one says nothing
+  constexpr double usual_bias = 0.0001;  // in most of the course's files, if one states none
   Made().shadow_bias = scene->Number({"shadow_bias"}, not_negative, usual_bias);
   ReadCamera(*scene);
   const auto each = [&](const char* key, void (Cs315Reader::*read)(const Field&)) {
@@ -65,7 +65,7 @@ void Cs315Reader::Set(const std::string& option, const std::string& value, const
   Made().settings.push_back({option, value, said ? report_.PlaceOf(said->extent) : "CS 315"});
 }
 
-// The angle is that of the height. `aspect` says how much wider the picture is, whatever its pixels.
+// The angle is vertical. `aspect` is the ratio of width to height, independent of the pixels.
 void Cs315Reader::ReadCamera(Mapping& scene) {
   const auto field = scene.Need({"camera"});
   auto camera = field ? field->AsMapping("a camera") : std::nullopt;
@@ -87,7 +87,7 @@ void Cs315Reader::ReadCamera(Mapping& scene) {
   ReadProjection(*camera, projected);
   camera->Ignore({"name", "comment"});
   if (!camera->FinishedWell()) return;
-  if (eye == at) return report_.Error(camera->What(), "has its eye at the point it looks at");
+  if (eye == at) return report_.Error(camera->What(), "has its eye at the point that it looks at");
   const AimedCamera aimed = Aim(eye, at - eye, up);
   if (aimed.up_was_replaced) return report_.Error(camera->What(), "has an up vector along the view direction");
   Made().camera = aimed.camera;
@@ -96,7 +96,7 @@ void Cs315Reader::ReadCamera(Mapping& scene) {
   Made().camera.xfov = R1::Atan(aspect * R1::Tan(degrees / 2 * std::numbers::pi / 180));
 }
 
-// Ambient, Point and Directional are the course's; all but Ambient and Environment are kinds of ours as well.
+// Ambient, Point and Directional are the course's; all except Ambient and Environment are also kinds of ours.
 void Cs315Reader::ReadLight(const Field& field) {
   static const std::vector<std::string_view> sources{"Point",  "Directional", "Spot",       "Area",
                                                      "Sphere", "Ambient",     "Environment"};
@@ -118,7 +118,7 @@ void Cs315Reader::ReadLight(const Field& field) {
   }
 }
 
-// Entered first of all, so that one with mistakes has its index too.
+// Reserved first, so that a material with mistakes also has its index.
 void Cs315Reader::ReadMaterial(const Field& field) {
   materials_.push_back(static_cast<int>(Made().materials.size()));
   Material& read = Made().materials.emplace_back();
@@ -132,7 +132,7 @@ void Cs315Reader::ReadMaterial(const Field& field) {
   read.kt = material->Color({"kt"}, black);
   read.emission = material->Color({"emission"}, black);
   read.n = material->Number({"shininess"}, not_negative, 0);
-  if (read.n == 0) read.ks = black;  // the course's rule: no highlight, rather than one everywhere
+  if (read.n == 0) read.ks = black;  // the course's rule: no highlight, instead of one everywhere
   read.ir = material->Number({"ior"}, positive, 1);
   if (const auto texture = material->Find({"texture"})) read.texture = objects_.Image(*texture, Assets::Use::color);
   if (const auto map = material->Find({"normal_map"})) read.normal_map = objects_.Image(*map, Assets::Use::data);

@@ -7,8 +7,9 @@
 
 namespace ray {
 
-/// Reads scenes of the course CS 315, JSON with camera, lights, materials and surfaces. Surfaces of its two own shapes,
-/// Sphere and Triangle, may be joined by those of ObjectReader, in lower case and with their keys there.
+/// A reader of scenes of the course CS 315, JSON with camera, lights, materials and surfaces. In addition to the
+/// course's two shapes, Sphere and Triangle, surfaces may be those of ObjectReader, in lower case and with their keys
+/// there.
 class Cs315Reader {
  public:
   Cs315Reader(const ParseOptions& options, const Document& document, Assets& assets, Report& report)
@@ -22,7 +23,7 @@ class Cs315Reader {
   void ReadMaterial(const Field& field);
   void ReadSurface(const Field& field);
   std::optional<PlacedShape> ReadShape(const std::string& name, Mapping& surface, bool has_texture);
-  /// Their product in the order of the file: the last acts on the shape first.
+  /// Returns the product of the transforms in file order: the last one is applied to the shape first.
   std::optional<R3::Matrix> ReadTransforms(const Field& field);
   std::optional<R3::Matrix> ReadTransform(const Field& field);
 
@@ -31,7 +32,7 @@ class Cs315Reader {
 
   DocumentReport report_;
   ObjectReader objects_;
-  double exposure_time_ = 1;    // while which the shutter is open, in the unit of velocities
+  double exposure_time_ = 1;    // duration of the exposure, in the unit of velocities
   std::vector<int> materials_;  // of the file, as indices into Scene::materials
 };
 

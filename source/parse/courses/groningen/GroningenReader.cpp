@@ -26,7 +26,7 @@ Scene GroningenReader::Read() {
   if (!scene) return {};
   Made().files.push_back(report_.Source().Source().name);
   ReadView(*scene);
-  ReadPicture(*scene);
+  ReadImageSettings(*scene);
   ReadLights(*scene);
   ReadObjects(*scene);
   Made().background = scene->Color({"Background", "background"}, {});

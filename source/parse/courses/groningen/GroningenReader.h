@@ -7,8 +7,8 @@
 
 namespace ray {
 
-/// Reads scenes of the University of Groningen's course, Introduction to Computer Graphics (2009 to 2018), as YAML or
-/// as JSON. What the course decides otherwise than others becomes settings of the scene.
+/// A reader of scenes of the University of Groningen's course, Introduction to Computer Graphics (2009 to 2018), in
+/// YAML or JSON. The course's special rules become settings of the scene.
 class GroningenReader {
  public:
   GroningenReader(const ParseOptions& options, const Document& document, Assets& assets, Report& report)
@@ -24,12 +24,12 @@ class GroningenReader {
   void ReadEye(const Field& field);
   void ReadCamera(const Field& field);
   void ReadLens(Mapping& camera, double focus);
-  /// Gives the width.
+  /// Reads the image size and returns the width.
   std::optional<double> ReadSize(const Field& size);
   void ReadSamples(Mapping& scene);
 
-  // picture.cpp
-  void ReadPicture(Mapping& scene);
+  // image.cpp
+  void ReadImageSettings(Mapping& scene);
   void ReadMode(Mapping& scene);
   void ReadZBuffer(Mapping& scene);
   void FindRange(Mapping& mapping);
@@ -42,13 +42,13 @@ class GroningenReader {
   void ReadObjects(Mapping& scene);
   void ReadObject(const Field& field);
   void ReadCsg(Mapping& object);
-  /// How far an object goes while the shutter is open, and what moves it to where it is then at first.
+  /// Returns the displacement of an object during the exposure. StartOf returns the transform to its initial position.
   R3::Vector ReadMotion(Mapping& object) const;
   static std::optional<R3::Matrix> StartOf(const R3::Vector& motion);
   int ReadMaterial(Mapping& object);
   void ReadColors(Mapping& material, bool has_texture, Material& read);
 
-  /// What the file says overrides what the course does.
+  /// Makes a setting; values in the file override the course's rules.
   void Set(const std::string& option, const std::string& value, const Value* said = nullptr);
   Scene& Made() { return objects_.Builder().scene; }
 
@@ -57,7 +57,7 @@ class GroningenReader {
   Mode mode_ = Mode::phong;
   double exposure_time_ = 0;
   std::int64_t lens_samples_ = 1, time_samples_ = 1;
-  std::optional<Field> near_, far_;  // of the z-buffer, wherever they are said
+  std::optional<Field> near_, far_;  // of the z-buffer, wherever they appear
 };
 
 }  // namespace ray

@@ -13,7 +13,7 @@ void GroningenReader::ReadLights(Mapping& scene) {
   for (const Field& light : *lights) ReadLight(light);
 }
 
-// Each light adds its color to what ka multiplies, in shadow or not. The course knows lights at points only.
+// Each light adds its color to the factor of ka, in shadow or not. The course has point lights only.
 void GroningenReader::ReadLight(const Field& field) {
   auto light = field.AsMapping("a light");
   if (!light) return;
@@ -43,7 +43,7 @@ void GroningenReader::ReadObject(const Field& field) {
   if (*kind == "csg") return ReadCsg(*object);
   if (!ObjectReader::IsKind(*kind)) {
     const auto kinds = ObjectReader::Kinds();
-    return report_.Warn(type->What().extent, "type " + Quoted(*kind) + " is not supported; the object is left out" +
+    return report_.Warn(type->What().extent, "type " + Quoted(*kind) + " is not supported; the object is skipped" +
                                                  DidYouMean(*kind, {kinds.begin(), kinds.end()}));
   }
   Mapping named(report_, object->What(), "a " + *kind);
@@ -57,7 +57,7 @@ void GroningenReader::ReadObject(const Field& field) {
   if (placed && named.IsGood()) objects_.Add(named, std::move(*placed), StartOf(motion), motion, material);
 }
 
-// An extension: solids made of the solids in its list.
+// An extension: a solid made of the solids in its list.
 void GroningenReader::ReadCsg(Mapping& object) {
   Mapping named(report_, object.What(), "a csg");
   const int material = named.Has({"material"}) ? ReadMaterial(named) : Node::inherit;
@@ -70,7 +70,7 @@ R3::Vector GroningenReader::ReadMotion(Mapping& object) const {
   return exposure_time_ * object.Vector({"velocity"}).value_or(R3::Vector{});
 }
 
-// It is at its place in the middle of the exposure.
+// The object is at its stated position in the middle of the exposure.
 std::optional<R3::Matrix> GroningenReader::StartOf(const R3::Vector& motion) {
   if (motion == R3::Vector{}) return {};
   return Translation(-0.5 * motion);
@@ -107,7 +107,7 @@ int GroningenReader::ReadMaterial(Mapping& object) {
   return static_cast<int>(Made().materials.size()) - 1;
 }
 
-// The coefficients are gray. Those that are missing are 0, and the exponent 1.
+// The coefficients are gray. Missing ones are 0, and the exponent 1.
 void GroningenReader::ReadColors(Mapping& material, bool has_texture, Material& read) {
   const R2::Color white{1, 1, 1};
   R2::Color color = white;

@@ -12,13 +12,14 @@
 namespace ray {
 namespace {
 
-constexpr int usual_side = 400;  // pixels of a picture whose file names no size
+constexpr int usual_side = 400;  // pixels; the size of an image whose file states none
 
-constexpr double usual_distance = 1000;  // of the eye from the picture's plane, in the course's own scenes
+constexpr double usual_distance = 1000;  // from the eye to the image plane, in the course's own scenes
 
 constexpr std::int64_t most = std::numeric_limits<int>::max();
 
-/// From the eye to the middle of the picture. Students give a direction instead, which leaves open how far that is.
+/// Returns the vector from the eye to the center of the image. Students give a direction instead, whose length is
+/// unspecified.
 R3::Vector WayToCenter(Mapping& camera, const R3::Point& eye) {
   const auto direction = camera.Has({"center"}) ? std::nullopt : camera.Find({"direction"});
   if (!direction) return camera.NeedPoint({"center"}) - eye;
@@ -27,7 +28,8 @@ R3::Vector WayToCenter(Mapping& camera, const R3::Point& eye) {
   return usual_distance * Unit(way);
 }
 
-/// A factor, or whether there is one, as students' programs have it: true is that of the course's examples.
+/// Returns a factor, which may also be a Boolean, as in students' programs: true is the factor of the course's
+/// examples.
 std::int64_t FactorOf(const Field& field) {
   constexpr std::int64_t usual = 2;
   const std::string word = LowerCase(field.What().scalar);
@@ -47,13 +49,13 @@ void GroningenReader::ReadView(Mapping& scene) {
   else if (eye)
     ReadEye(*eye);
   else
-    report_.Error(scene.What(), "lacks a view", "it needs Eye, or Camera with eye, center and up");
+    report_.Error(scene.What(), "has no view", "it needs Eye, or Camera with eye, center and up");
   if (const auto size = scene.Find({"ImageSize"})) ReadSize(*size);
   ReadSamples(scene);
 }
 
-// The picture is the square from 0 to 400 in the plane z = 0, a pixel being one unit wide. The eye need not be before
-// its middle: the camera looks straight at the plane and is shifted.
+// The image is the square from 0 to 400 in the plane z = 0, with pixels one unit wide. The eye need not be in front of
+// its center: the camera looks straight at the plane and is shifted.
 void GroningenReader::ReadEye(const Field& field) {
   const auto eye = field.Vector();
   if (!eye) return;
@@ -88,10 +90,10 @@ void GroningenReader::ReadCamera(const Field& field) {
   Made().camera = aimed.camera;
   Made().camera.TakeViewOf(projected);
   if (const R3::Vector displacement = exposure_time_ * velocity; !(displacement == R3::Vector{})) {
-    Made().camera.eye = eye - displacement / 2;  // it is at its place in the middle of the exposure
+    Made().camera.eye = eye - displacement / 2;  // it is at its position in the middle of the exposure
     Set("motion", ToText(displacement.x) + " " + ToText(displacement.y) + " " + ToText(displacement.z), &field.What());
   }
-  // A pixel is as wide as `up` is long, in the plane through the center.
+  // A pixel is as wide as the length of `up`, in the plane through the center.
   Made().camera.xfov = R1::Atan2(width / 2 * Length(up), Length(towards));
   if (projected.kind->extent == CameraExtent::width && projected.extent == 0) Made().camera.extent = width * Length(up);
 }
@@ -121,13 +123,13 @@ void GroningenReader::ReadLens(Mapping& camera, double focus) {
   exposure_time_ = camera.Number({"exposureTime"}, not_negative, 0);
   const auto moments = camera.Find({"exposureSamples"});
   const std::int64_t time_samples = moments ? moments->Whole(1, most).value_or(1) : 1;
-  if (time_samples == 1) exposure_time_ = 0;  // one sample is the sharp picture of the middle
+  if (time_samples == 1) exposure_time_ = 0;  // one sample is the sharp image at the middle of the exposure
   if (!(exposure_time_ > 0)) return;
   time_samples_ = time_samples;
   Set("shutter_samples", ToText(time_samples), &moments->What());
 }
 
-// Through each place of a pixel go as many rays as the lens has places and the exposure moments, one for each of both.
+// Each point of a pixel gets one ray for each combination of lens point and moment of the exposure.
 void GroningenReader::ReadSamples(Mapping& scene) {
   static constexpr std::array<std::string_view, 6> patterns{"grid",    "jitter",   "random",
                                                             "rotated", "adaptive", "poisson"};
@@ -151,7 +153,7 @@ void GroningenReader::ReadSamples(Mapping& scene) {
   const auto side = static_cast<double>(factor);
   const double samples = side * side * static_cast<double>(lens_samples_) * static_cast<double>(time_samples_);
   if (samples > std::numeric_limits<int>::max())
-    return report_.Error(said ? *said : scene.What(), "asks for more than 2147483647 samples of a pixel");
+    return report_.Error(said ? *said : scene.What(), "requests more than 2147483647 samples per pixel");
   Set("samples", ToText(static_cast<std::int64_t>(samples)), said);
   Set("sampler", samplers[pattern], said);
   if (patterns[pattern] == "adaptive") Set("adaptive", "neighbors", said);

@@ -10,11 +10,12 @@
 
 namespace ray {
 
-/// One kind of object. Its function returns nothing after a mistake, which it reports; it may throw R3::ArgumentError.
+/// One kind of object. Its function returns std::nullopt after a mistake, which it reports; it may throw
+/// R3::ArgumentError.
 struct ObjectKind {
   std::vector<std::string_view> names;  // the usual one first
   std::optional<PlacedShape> (*read)(Mapping& object);
-  /// Instead of `read`, for kinds that open files or depend on textures.
+  /// Replaces `read` for kinds that open files or depend on textures.
   std::optional<PlacedShape> (*read_with)(ObjectReader& reader, Mapping& object, bool has_texture) = nullptr;
 };
 extern const std::vector<ObjectKind> sphere_kinds, flat_kinds, solid_kinds, surface_kinds;

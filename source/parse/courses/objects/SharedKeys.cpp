@@ -19,7 +19,7 @@ const CameraKind& KindOf(Mapping& mapping, const Camera& camera) {
   return which ? *CameraKinds()[*which] : *camera.kind;
 }
 
-/// A number that only some kinds of camera have.
+/// Reads a number that only some kinds of camera have.
 void ReadExtent(Mapping& mapping, const char* key, bool is_known, Camera& camera) {
   const auto field = mapping.Find({key});
   if (!field) return;

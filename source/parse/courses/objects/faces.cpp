@@ -11,9 +11,9 @@ namespace {
 
 using Corners = std::vector<R3::Point>;
 using CornerNormals = std::vector<R3::Normal>;
-using Spellings = std::vector<std::vector<std::string_view>>;  // each with a key for every corner
+using Spellings = std::vector<std::vector<std::string_view>>;  // each with one key per corner
 
-/// By the spelling of which most keys are there, the first of equals: it says what it lacks.
+/// Reads the corners by the spelling with the most keys present, the first of equals, and reports the missing ones.
 std::optional<Corners> ReadCorners(Mapping& object, const Spellings& spellings) {
   const auto present = [&](const std::vector<std::string_view>& spelling) {
     return std::count_if(spelling.begin(), spelling.end(), [&](std::string_view key) { return object.Has({key}); });
@@ -26,7 +26,7 @@ std::optional<Corners> ReadCorners(Mapping& object, const Spellings& spellings) 
   return corners;
 }
 
-/// Corners of a flat mesh, its texture spread from corner to corner, and its normals if it has any.
+/// Makes a flat mesh of corners, with a texture from corner to corner, and normals if it has any.
 std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::vector<R2::Point> uvs,
                                   CornerNormals normals = {}) {
   if (const char* const fault = R3::FaultOfPolygon(corners))
@@ -52,7 +52,7 @@ std::optional<PlacedShape> MeshOf(Mapping& object, const Corners& corners, std::
   return PlacedShape{std::move(mesh)};
 }
 
-/// Texture coordinates in the object's own words: UV1, UV2...
+/// Reads texture coordinates by the object's own keys: UV1, UV2...
 std::optional<std::vector<R2::Point>> ReadUvs(Mapping& object) {
   if (!object.Has({"UV1"})) return {};
   std::vector<R2::Point> uvs;
@@ -66,7 +66,7 @@ std::optional<std::vector<R2::Point>> ReadUvs(Mapping& object) {
   return uvs;
 }
 
-/// Returns the normals of a triangle's corners, of any length; none if it names none.
+/// Returns the normals of a triangle's corners, of any length; empty if it names none.
 CornerNormals ReadNormals(Mapping& object) {
   static const Spellings spellings{{"n0", "n1", "n2"}, {"n1", "n2", "n3"}};
   if (!object.Has({"n0", "n1", "n2", "n3"})) return {};
@@ -75,8 +75,8 @@ CornerNormals ReadNormals(Mapping& object) {
   return normals;
 }
 
-/// Whether the corners are given row by row and not around: the sides from the second to the third and from the fourth
-/// to the first cross.
+/// Returns true if the corners are given row by row instead of around: the sides from the second to the third and from
+/// the fourth to the first cross.
 bool IsRowByRow(const Corners& c) {
   const R3::Vector normal = Cross(c[1] - c[0], c[2] - c[0]);
   const auto turn = [&](std::size_t i, std::size_t j, std::size_t k) {
@@ -92,7 +92,8 @@ std::optional<PlacedShape> ParallelogramOf(Mapping& object) {
   return MeshOf(object, {position, position + side, position + side + up, position + up}, R3::QuadUvs());
 }
 
-/// Some say `name` for the file; beside another key for it, it is the name of the object.
+/// Returns the field of the file. Some scenes use `name` for it; if another key names the file, `name` is the object's
+/// name.
 std::optional<Field> NeedFile(Mapping& object) {
   if (auto file = object.Find({"file", "filename", "fileName", "path", "model", "modelPath"})) {
     object.Ignore({"name"});
@@ -109,7 +110,7 @@ Assets::Shading ReadShading(Mapping& object) {
   return {is_smooth ? Normals::wanted : Normals::of_triangles};
 }
 
-/// One positive number, or three numbers.
+/// Reads one positive number, or three numbers.
 R3::Vector FactorsOf(const std::optional<Field>& field) {
   const R3::Vector none{1, 1, 1};
   if (!field) return none;
@@ -118,14 +119,15 @@ R3::Vector FactorsOf(const std::optional<Field>& field) {
   return {all, all, all};
 }
 
-/// Moves a box to the origin and makes its longest side 2, as the library GLM of Nate Robins does with models.
+/// Returns the transform that moves a box to the origin and makes its longest side 2, as the library GLM of Nate Robins
+/// does with models.
 R3::Matrix Unitizing(const R3::Box& box) {
   if (box.IsEmpty() || !(MaxComponent(box.Size()) > 0)) return {};
   const double factor = 2 / MaxComponent(box.Size());
   return R3::Scaling({factor, factor, factor}) * Translation(R3::Point{} - box.Center());
 }
 
-/// Without bounds after a mistake.
+/// Reads a named mesh; without bounds after a mistake.
 PlacedShape NamedMesh(ObjectReader& reader, const Field& file, const Assets::Shading& shading, bool has_materials) {
   if (!has_materials) {
     const Assets::BoxedMesh boxed = reader.MeshNamed(file, shading);
@@ -166,8 +168,7 @@ std::optional<PlacedShape> ReadQuad(Mapping& object) {
   auto corners = ReadCorners(object, spellings);
   if (!corners) return {};
   if (IsRowByRow(*corners)) {
-    object.Reporter().Warn(object.What().extent,
-                           "the sides of this quad cross; its last two corners are taken in the other order");
+    object.Reporter().Warn(object.What().extent, "the sides of this quad cross; its last two corners are swapped");
     std::swap((*corners)[2], (*corners)[3]);
   }
   return MeshOf(object, *corners, R3::QuadUvs());
@@ -195,7 +196,7 @@ std::optional<PlacedShape> ReadMeshFile(ObjectReader& reader, Mapping& object, b
   const R3::Vector half_size = FactorsOf(size);
   if (!file) return {};
   PlacedShape placed =
-      NamedMesh(reader, *file, shading, has_materials);  // whatever else is wrong: all files missing are told
+      NamedMesh(reader, *file, shading, has_materials);  // despite other mistakes, to report all missing files
   if (!placed.bounds || !object.IsGood()) return {};
   const R3::Matrix placement = Translation(position) * TurnOf(turn) * Scaling(scale);
   placed.placement = size ? placement * Scaling(half_size) * Unitizing(*placed.bounds) : placement;

@@ -7,7 +7,7 @@
 namespace ray {
 namespace {
 
-/// A direction that must not be zero; `otherwise` where it may be absent and is.
+/// Reads a direction, which must not be zero; returns `otherwise`, if given, for a missing key.
 R3::Vector Direction(Mapping& object, Mapping::Names names, const std::optional<R3::Vector>& otherwise = {}) {
   const auto field = otherwise ? object.Find(names) : object.Need(names);
   const R3::Vector fallback = otherwise.value_or(R3::Vector{0, 0, 1});
@@ -17,12 +17,12 @@ R3::Vector Direction(Mapping& object, Mapping::Names names, const std::optional<
   return direction && !(*direction == R3::Vector{}) ? *direction : fallback;
 }
 
-/// Shapes of ours that stand along y, to stand along `axis` (a unit vector) with their origin at `place`.
+/// Returns the placement of a shape whose axis is y, so that it has the unit vector `axis` and its origin at `place`.
 R3::Matrix Along(const R3::Vector& axis, const R3::Point& place) {
   return Translation(FromOrigin(place)) * SmallestRotation({0, 1, 0}, axis);
 }
 
-/// What cylinders and cones have: base, axis as long as they are high, radius.
+/// The keys shared by cylinders and cones: base, axis with the length of the height, radius.
 struct Upright {
   R3::Point base;
   R3::Vector axis;
@@ -43,7 +43,7 @@ Upright ReadUpright(Mapping& object) {
       const R3::Vector direction = Direction(object, {"direction", "axis", "up"}, R3::Vector{0, 1, 0});
       read.axis = object.NeedNumber({"height"}, positive) * Unit(direction);
     } else {
-      read.axis = Direction(object, {"up", "axis"});  // with its length
+      read.axis = Direction(object, {"up", "axis"});  // including its length
     }
   }
   read.radius = object.NeedNumber({"radius", "r"}, positive);
@@ -62,7 +62,7 @@ std::shared_ptr<const R3::Shape> BoxBetween(const R3::Point& a, const R3::Point&
   return ShapeOf("box", std::array{a.x, a.y, a.z, b.x, b.y, b.z});
 }
 
-/// A box of given size about a point, turned by angles in radians.
+/// Returns a box of given size about a point, rotated by angles in radians.
 PlacedShape TurnedBox(const R3::Point& center, const R3::Vector& size, const R3::Vector& turn) {
   const R3::Point half = R3::Point{} + 0.5 * size;
   const R3::Point other{-half.x, -half.y, -half.z};
@@ -80,14 +80,14 @@ std::optional<PlacedShape> ReadPlane(Mapping& object) {
   return PlacedShape{ShapeOf("plane", std::array{point.x, point.y, point.z, normal.x, normal.y, normal.z})};
 }
 
-/// The third edge of a box; or its length alone, where the other two say its direction: away from one who sees side
-/// lead to the right and up lead up.
+/// Returns the third edge of a box. If only its length is given, it is perpendicular to the other two: away from a
+/// viewer for whom side points right and up points up.
 R3::Vector BoxDepth(Mapping& object, const R3::Vector& side, const R3::Vector& up) {
   const auto depth = object.Find({"depth"});
   if (!depth || depth->What().kind != Value::Kind::scalar) return Direction(object, {"depth"});
   const auto length = depth->Number();
   const R3::Vector away = Cross(up, side);
-  if (length && away == R3::Vector{}) depth->Error("must be three numbers, since side and up lead the same way");
+  if (length && away == R3::Vector{}) depth->Error("must be three numbers, since side and up are parallel");
   return length.value_or(0) * Unit(away);
 }
 

@@ -8,14 +8,14 @@
 namespace ray {
 namespace {
 
-/// Where the texture of a sphere lies: world from a globe whose north pole is +z, with longitude 0 at +x and growing
-/// counter-clockwise, as Groningen has it.
+/// The orientation of a sphere's texture: the transform to the world from a globe whose north pole is +z, with
+/// longitude 0 at +x and increasing counter-clockwise, as in Groningen's course.
 struct Globe {
   R3::Matrix world_from_globe;
-  bool is_turned = false;  // anything is said about it
+  bool is_turned = false;  // an orientation is given
 };
 
-/// An axis other than zero.
+/// Reads a nonzero axis.
 std::optional<R3::Vector> Axis(const std::optional<Field>& field) {
   const auto axis = field ? field->Vector() : std::nullopt;
   if (!axis) return {};
@@ -26,7 +26,7 @@ std::optional<R3::Vector> Axis(const std::optional<Field>& field) {
   return Unit(*axis);
 }
 
-/// The pole at `axis`, and `side` straightened to where longitude 0 is.
+/// Returns the rotation with the pole at `axis`, and longitude 0 at the perpendicular part of `side`.
 std::optional<R3::Matrix> FromSide(const Field& side, const R3::Vector& axis) {
   const auto given = Axis(side);
   if (!given) return {};
@@ -38,7 +38,7 @@ std::optional<R3::Matrix> FromSide(const Field& side, const R3::Vector& axis) {
   return Frame({}, Cross(Unit(y), axis), Unit(y), axis);
 }
 
-/// Rotation of the quaternion w, x, y, z.
+/// Returns the rotation of the quaternion w, x, y, z.
 std::optional<R3::Matrix> FromQuaternion(const Field& field) {
   const auto fields = field.ListOf(4, "a list of four numbers: w, x, y, z");
   if (!fields) return {};
@@ -95,7 +95,7 @@ Globe ReadGlobe(Mapping& object, const std::optional<R3::Vector>& axis_with_radi
   return {turned.value_or(R3::Matrix{}) * R3::RotationAbout(2, angle), named || side || quaternion || angle != 0};
 }
 
-// Our own sphere has the poles of its texture on z as well, but its longitude grows clockwise from +y: a globe with x
+// Our own sphere also has the poles of its texture on z, but its longitude increases clockwise from +y: a globe with x
 // and y swapped.
 std::optional<PlacedShape> ReadSphere(ObjectReader&, Mapping& object, bool has_texture) {
   const R3::Point center = object.NeedPoint({"position", "center"});

@@ -5,7 +5,7 @@
 namespace ray {
 namespace {
 
-/// The number of a ball: its center, its radius, and its strength, which is 1 where nothing is said.
+/// Adds the numbers of a ball: its center, its radius, and its strength, by default 1.
 void AddBall(const Field& field, std::vector<double>& numbers) {
   auto ball = field.AsMapping("a ball");
   if (!ball) return;
@@ -17,7 +17,7 @@ void AddBall(const Field& field, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {center.x, center.y, center.z, radius, strength});
 }
 
-/// 16 control points, row by row.
+/// Reads 16 control points, row by row.
 std::optional<PlacedShape> ReadPatch(const char* kind, Mapping& object) {
   const auto field = object.Need({"points"});
   const auto points = field ? field->ListOf(16, "a list of 16 points") : std::nullopt;
@@ -39,7 +39,7 @@ std::optional<R3::Expression> ReadFormula(Mapping& object) {
     return R3::Expression(*text);
   } catch (const R3::ExpressionError& error) {
     const std::string place = error.at < text->size() ? ", at character " + ToText(error.at + 1) : ", at its end";
-    field->Error("is no formula" + place + ": " + error.what(), error.hint);
+    field->Error("is not a formula" + place + ": " + error.what(), error.hint);
     return {};
   }
 }

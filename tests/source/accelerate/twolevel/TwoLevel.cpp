@@ -1,4 +1,4 @@
-// What is certain in single precision must be so in the scene's own coordinates too.
+// Results that are certain in single precision must be so in the scene's own coordinates too.
 #include "source/accelerate/twolevel/TwoLevel.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int triangles = 8;
 
-/// How many of them a ray asks that meets one: they stand side by side along x, each of that size.
+/// Returns the number of triangles tested by a ray that meets one: they are in a row along x, each of that size.
 std::uint64_t TrianglesAsked(double size) {
   R3::MeshData data;
   for (int i = 0; i < triangles; ++i) {
@@ -32,7 +32,7 @@ std::uint64_t TrianglesAsked(double size) {
   return workspace.counts.primitive_tests;
 }
 
-TEST(TwoLevel, TrianglesWhoseProductsLeaveDoublesAreAllAsked) {
+TEST(TwoLevel, TrianglesWhoseProductsLeaveDoublesAreAllTested) {
   EXPECT_EQ(TrianglesAsked(1), 1U);
   for (const double size : {0x1p-190, 0x1p190}) EXPECT_EQ(TrianglesAsked(size), 1U) << size;
   for (const double size : {0x1p-230, 0x1p230}) EXPECT_EQ(TrianglesAsked(size), triangles * 1U) << size;

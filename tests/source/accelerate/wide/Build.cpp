@@ -1,4 +1,4 @@
-// How deep the wide tree gets: traversal's stacks are as large as its deepest tree may ask for.
+// The depth of the wide tree: traversal's stacks are sized for the deepest tree.
 #include "source/accelerate/wide/Build.h"
 
 #include <gtest/gtest.h>
@@ -19,15 +19,15 @@ wide::Tree TreeOver(Node root) {
   return wide::Build(PrimitiveSet(world), width);
 }
 
-// The first of equal boxes was always the one that was split, so that one child of a node kept half of its primitives.
-TEST(WideTree, OverEqualTrianglesIsAsShallowAsOverAnyOthers) {
+// Once the first of equal boxes was always split, so that one child of a node kept half of its primitives.
+TEST(WideTree, OverEqualTrianglesIsAsShallowAsOverOthers) {
   R3::MeshData data;
   data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   data.triangles.assign(32'768, {0, 1, 2});
   EXPECT_LE(TreeOver(accelerators::Leaf(std::make_shared<R3::Mesh>(std::move(data)))).depth, 5);
 }
 
-TEST(WideTree, OverConcentricSpheresIsAsShallowAsOverAnyOthers) {
+TEST(WideTree, OverConcentricSpheresIsAsShallowAsOverOthers) {
   Node root;
   for (int i = 0; i < 20'000; ++i)
     root.children.push_back(accelerators::Leaf(R3::MakeShape("sphere", {0, 0, 0, 1 + i * 1e-7})));

@@ -1,4 +1,4 @@
-// What hulls are for: a turned shape whose box a ray crosses is not asked unless the ray comes near the shape itself.
+// The purpose of hulls: a rotated shape whose box a ray crosses is tested only if the ray comes near the shape itself.
 #include "source/accelerate/wide/HullBlock.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace ray {
 namespace {
 
-/// Along the diagonal of x and y, from y of the shape's frame.
+/// Makes a shape along the diagonal of x and y, from y of its own frame.
 Scene Slanted(const char* shape, const std::vector<double>& arguments) {
   const double half = std::sqrt(0.5);
   Scene scene;
@@ -23,7 +23,8 @@ Scene Slanted(const char* shape, const std::vector<double>& arguments) {
   return scene;
 }
 
-/// How many of sixteen rays along z, `beside` away from that diagonal, ask the shape: one by one, and together.
+/// Returns how many of sixteen rays along z, `beside` away from that diagonal, test the shape: one at a time, and
+/// together.
 std::array<std::uint64_t, 2> Asked(const Scene& scene, const std::string& kind, double beside) {
   const World world(scene);
   const auto accelerator = FindAcceleratorKind(kind)->Make(world, {.name = kind});
@@ -39,7 +40,7 @@ std::array<std::uint64_t, 2> Asked(const Scene& scene, const std::string& kind, 
   return {single.counts.primitive_tests, together.counts.primitive_tests};
 }
 
-TEST(Hulls, SpareWhatRaysMissTheirTests) {
+TEST(Hulls, SaveTestsOfShapesThatRaysMiss) {
   const std::vector<std::pair<const char*, std::vector<double>>> shapes{{"cylinder", {0, 0, 0, 0.1, 4}},
                                                                         {"box", {-0.1, -2, -0.1, 0.1, 2, 0.1}},
                                                                         {"cone", {0, 0, 0, 0.1, 4}}};

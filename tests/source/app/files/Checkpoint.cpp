@@ -12,16 +12,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// It once stayed in the temporary folder for good, though the picture was finished.
+// Regression: it stayed in the temporary folder although the image was finished.
 TEST(Checkpoint, ACopyKeptElsewhereIsRemovedOnceSavedOrFinished) {
   const TemporaryFolder refuge, folder;
   setenv("TMPDIR", refuge.Path().c_str(), 1);
   FileOptions files;
-  files.picture = folder / "out.ppm";
+  files.image = folder / "out.ppm";
   Checkpoint checkpoint(files, {}, false);
   const auto fail = [&] {
     fs::remove(folder / "out.ppm.checkpoint");
-    fs::create_directories(fs::path(folder / "out.ppm.checkpoint") / "full");  // no file can take this name now
+    fs::create_directories(fs::path(folder / "out.ppm.checkpoint") / "full");  // no file can have this name now
     checkpoint.Save({}, "scene");
     EXPECT_EQ(refuge.Others({}).size(), 1u);
     fs::remove_all(folder / "out.ppm.checkpoint");

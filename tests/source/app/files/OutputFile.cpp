@@ -25,7 +25,7 @@ std::span<const unsigned char> Bytes(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }
 
-/// The message of the refusal, or "" when the name is accepted.
+/// Returns the message of the refusal, or "" if the name is accepted.
 std::string Refusal(const std::string& name, const std::vector<std::string>& inputs = {}) {
   try {
     CheckOutput(name, inputs);
@@ -64,7 +64,7 @@ TEST(OutputFile, HasTheModeBitsThatTheUmaskLeaves) {
   }
 }
 
-/// Root may write anywhere; as long as this lives, we are nobody in particular.
+/// Root may write anywhere; while this object lives, the process is an ordinary user.
 class WithoutRights {
  public:
   WithoutRights() { is_nobody_ = seteuid(geteuid() == 0 ? nobody : geteuid()) == 0; }
@@ -85,7 +85,7 @@ struct stat StatusOf(const std::string& file) {
   return status;
 }
 
-// Whoever shut a picture off found it open to everybody after the next render.
+// Regression: an image that its owner had made private was readable by everybody after the next render.
 TEST(OutputFile, KeepsTheModeBitsOfTheFileThatItReplaces) {
   const TemporaryFolder folder;
   const std::string file = WriteFile(folder / "out.ppm", "old");
@@ -110,7 +110,7 @@ TEST(TemporaryFile, IsPrivateFromTheStartWhenReplacingAPrivateFile) {
   EXPECT_EQ(StatusOf(folder / names[0]).st_mode & 0777, 0600u);
 }
 
-TEST(OutputFile, KeepsOwnerAndGroupWhereTheSystemLetsIt) {
+TEST(OutputFile, KeepsOwnerAndGroupWhereTheSystemAllowsIt) {
   if (geteuid() != 0) GTEST_SKIP() << "only the superuser may give files away";
   const TemporaryFolder folder;
   const std::string file = WriteFile(folder / "out.ppm", "old");
@@ -122,7 +122,7 @@ TEST(OutputFile, KeepsOwnerAndGroupWhereTheSystemLetsIt) {
   EXPECT_EQ(StatusOf(file).st_mode & 0777, 0640u);
 }
 
-// A group that cannot be kept must not hand its rights to another group.
+// A group that cannot be kept must not pass its permissions to another group.
 TEST(OutputFile, OurGroupGetsNoRightsOfAnotherGroup) {
   if (geteuid() != 0) GTEST_SKIP() << "only the superuser may give files away";
   const TemporaryFolder folder;
@@ -173,7 +173,7 @@ TEST(Extremes, K11_TheInputIsNotOverwrittenUnderAnyOfItsNames) {
 TEST(Extremes, K11_ALinkStaysALinkAndItsTargetIsReplaced) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "there");
-  fs::create_symlink("there/real.ppm", folder / "link.ppm");  // leads nowhere yet
+  fs::create_symlink("there/real.ppm", folder / "link.ppm");  // the target does not exist yet
   const OutputFile output = CheckOutput(folder / "link.ppm", {});
   EXPECT_TRUE(output.is_link);
   WriteWhole(output, Bytes("picture"));
@@ -183,7 +183,7 @@ TEST(Extremes, K11_ALinkStaysALinkAndItsTargetIsReplaced) {
   fs::create_symlink("/dev/full", folder / "full.ppm");
   EXPECT_TRUE(Has(Refusal(folder / "full.ppm"), "it is not a regular file"));
   fs::create_symlink("ring.ppm", folder / "ring.ppm");
-  EXPECT_TRUE(Has(Refusal(folder / "ring.ppm"), "lead nowhere"));
+  EXPECT_TRUE(Has(Refusal(folder / "ring.ppm"), "too many levels of symbolic links"));
 }
 
 TEST(Extremes, L3_UnwritableFoldersAndFilesAreRefusedBeforeRendering) {
@@ -205,7 +205,7 @@ TEST(Extremes, L3_UnwritableFoldersAndFilesAreRefusedBeforeRendering) {
   fs::permissions(folder.Path(), fs::perms::owner_all);
 }
 
-TEST(Extremes, L3_APictureWhoseFolderWentAwayIsKeptElsewhere) {
+TEST(Extremes, L3_AnImageWhoseFolderDisappearedIsKeptElsewhere) {
   TemporaryFolder refuge;
   const TemporaryFolder folder;
   fs::create_directory(folder / "there");

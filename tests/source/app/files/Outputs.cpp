@@ -1,4 +1,4 @@
-// What is left behind when a picture cannot be written, or nobody listens.
+// Files left behind when an image cannot be written, or when nobody reads the output.
 #include "source/app/files/Outputs.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(Extremes, K11_AFileThatTheSceneIncludesIsAnInputToo) {
   EXPECT_EQ(ReadFile(place / "part.ppm"), small_scene);
 }
 
-/// Whether something new is being written beside the target.
+/// Whether a new file is being written beside the target.
 bool IsSaving(const TemporaryFolder& folder, const std::vector<std::string>& old) {
   std::error_code error;
   for (const std::string& name : folder.Others(old))
@@ -69,7 +69,7 @@ TEST(Extremes, L1_AKilledRunLeavesTheOldOrTheNewImage) {
   const SceneFolder place("");
   const std::vector<std::string> words{place.Scene(), place / "out.ppm", "-width", "700", "-height", "700", "-quiet"};
   ASSERT_EQ(RunProgram(words).status, 0);
-  const std::string whole = ReadFile(place / "out.ppm");  // a .ppm says nothing of when it was made
+  const std::string whole = ReadFile(place / "out.ppm");  // a .ppm does not contain its time
   const auto start = std::chrono::steady_clock::now();
   RunProgram(words);
   const double whole_run = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -80,10 +80,10 @@ TEST(Extremes, L1_AKilledRunLeavesTheOldOrTheNewImage) {
     const bool has_old = round % 2 == 0;
     fs::remove(place / "out.ppm");
     if (has_old) WriteFile(place / "out.ppm", "old");
-    std::vector<std::string> old = place.Others({"out.ppm"});  // with what the round before left
+    std::vector<std::string> old = place.Others({"out.ppm"});  // including the files that the previous round left
     old.emplace_back("out.ppm");
     Running running(words);
-    // Half of the rounds wait for the short time in which the picture is being saved.
+    // Half of the rounds wait for the short time in which the image is being saved.
     while (round % 4 < 2 && !running.IsOver() && !IsSaving(place, old)) std::this_thread::sleep_for(50us);
     const double longest = round % 4 < 2 ? 0.002 : whole_run;
     std::this_thread::sleep_for(std::chrono::duration<double>(std::uniform_real_distribution(0.0, longest)(random)));
@@ -102,24 +102,24 @@ TEST(Extremes, L1_AKilledRunLeavesTheOldOrTheNewImage) {
   EXPECT_EQ(place.Others({"in.scn", "out.ppm"}), nothing);
 }
 
-/// How much more than what is already there a picture of the small scene needs.
-constexpr long picture_bytes = 3 * 64 * 64 + 13;
-const std::vector<std::string> picture_size{"-width", "64", "-height", "64"};
+/// Returns the bytes that an image of the small scene needs in addition to the existing files.
+constexpr long image_bytes = 3 * 64 * 64 + 13;
+const std::vector<std::string> image_size{"-width", "64", "-height", "64"};
 
-TEST(Extremes, L2_AFileSizeLimitAnywhereLeavesTheOldPictureWhole) {
+TEST(Extremes, L2_AFileSizeLimitAnywhereLeavesTheOldImageComplete) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
-  const auto words = With({place.Scene(), place / "out.ppm", "-quiet"}, picture_size);
+  const auto words = With({place.Scene(), place / "out.ppm", "-quiet"}, image_size);
   ASSERT_EQ(RunProgram(words).status, 0);
   const std::string whole = ReadFile(place / "out.ppm");
-  ASSERT_EQ(static_cast<long>(whole.size()), picture_bytes);
+  ASSERT_EQ(static_cast<long>(whole.size()), image_bytes);
   WriteFile(place / "out.ppm", "old");
   for (int i = 0; i < 64; ++i) {
     const long limit =
-        i < 62 ? 512 + (picture_bytes - 512) * i / 62 : picture_bytes - 63 + i;  // the last: all but one, all
+        i < 62 ? 512 + (image_bytes - 512) * i / 62 : image_bytes - 63 + i;  // the last: all but one, all
     const Finished done =
         RunProgram(words, {.file_size_limit = limit, .environment = {{"TMPDIR", place.Path().string()}}});
-    const bool fits = limit >= picture_bytes;
+    const bool fits = limit >= image_bytes;
     EXPECT_EQ(done.status, fits ? 0 : 4) << limit << done.error;
     EXPECT_EQ(ReadFile(place / "out.ppm"), fits ? whole : "old") << limit;
     EXPECT_TRUE(fits || Has(done.error, "File too large; nor can it be kept as")) << done.error;
@@ -154,13 +154,13 @@ TEST(Extremes, L2_AFullDiskKeepsTheOldImageAndSavesElsewhere) {
   const SmallDisk disk(place / "disk");
   if (!disk.IsMounted())
     GTEST_SKIP() << "a small file system can be mounted by root only; the file size limit was tried";
-  const auto words = With({place.Scene(), place / "disk/out.ppm", "-quiet"}, picture_size);
+  const auto words = With({place.Scene(), place / "disk/out.ppm", "-quiet"}, image_size);
   ASSERT_EQ(RunProgram(words).status, 0);
   const std::string whole = ReadFile(place / "disk/out.ppm");
   WriteFile(place / "disk/out.ppm", "old");
-  const long page = sysconf(_SC_PAGESIZE), pages_needed = (picture_bytes + page - 1) / page;
+  const long page = sysconf(_SC_PAGESIZE), pages_needed = (image_bytes + page - 1) / page;
   for (int i = 0; i < 64; ++i) {
-    const long pages_free = i % (2 * pages_needed);  // from none to twice what is needed
+    const long pages_free = i % (2 * pages_needed);  // from none to twice the need
     fs::remove(place / "disk/filler");
     WriteFile(place / "disk/filler", std::string(static_cast<std::size_t>(disk.BytesFree() - pages_free * page), 'x'));
     const Finished done = RunProgram(words, {.environment = {{"TMPDIR", refuge.Path().string()}}});
@@ -178,10 +178,10 @@ TEST(Extremes, L2_AFullDiskKeepsTheOldImageAndSavesElsewhere) {
   }
 }
 
-TEST(Extremes, L6_NobodyListeningCostsNoPicture) {
+TEST(Extremes, L6_WithoutAReaderTheImageIsStillWritten) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
-  // -stats was asked for: it is a failure where it cannot be written, and none where its reader has left.
+  // -stats was requested: it is a failure if it cannot be written, but not if its reader has left.
   const struct {
     Surroundings silence;
     int status;
@@ -192,51 +192,51 @@ TEST(Extremes, L6_NobodyListeningCostsNoPicture) {
       {{.break_output = true}, 0},
       {{.standard_output = "/dev/full", .standard_error = "/dev/full"}, 4},
   };
-  const auto words = With({place.Scene(), place / "out.ppm", "-stats", "-verbose"}, picture_size);
+  const auto words = With({place.Scene(), place / "out.ppm", "-stats", "-verbose"}, image_size);
   std::string first;
   for (const auto& [silence, status] : cases) {
     fs::remove(place / "out.ppm");
     const Finished done = RunProgram(words, silence);
     EXPECT_EQ(done.status, status);
-    const std::string picture = ReadFile(place / "out.ppm");
-    if (first.empty()) first = picture;
-    EXPECT_EQ(static_cast<long>(picture.size()), picture_bytes);
-    EXPECT_TRUE(picture == first);  // not a word of the messages went into it
+    const std::string image = ReadFile(place / "out.ppm");
+    if (first.empty()) first = image;
+    EXPECT_EQ(static_cast<long>(image.size()), image_bytes);
+    EXPECT_TRUE(image == first);  // no text of the messages went into it
   }
 }
 
 TEST(Extremes, K11_UnwritableStatisticsFailOnlyIfAskedFor) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
-  const auto words = With({place.Scene(), place / "out.ppm"}, picture_size);
+  const auto words = With({place.Scene(), place / "out.ppm"}, image_size);
   const Finished asked = RunProgram(With(words, {"-stats"}), {.standard_output = "/dev/full"});
   EXPECT_EQ(asked.status, 4);
   EXPECT_TRUE(Has(asked.error, "cannot write 'standard output': No space left on device")) << asked.error;
-  EXPECT_EQ(static_cast<long>(ReadFile(place / "out.ppm").size()), picture_bytes);
+  EXPECT_EQ(static_cast<long>(ReadFile(place / "out.ppm").size()), image_bytes);
   EXPECT_EQ(RunProgram(words, {.standard_output = "/dev/full"}).status, 0);
 }
 
-// A script that shut standard output would take an answer that went nowhere for one that arrived.
-TEST(Extremes, L6_ClosedStandardOutputIsAnErrorWhereverSomethingGoesThere) {
+// A script that closed standard output would take lost output for output that arrived.
+TEST(Extremes, L6_ClosedStandardOutputIsAnErrorWheneverOutputGoesThere) {
   NEEDS_THE_PROGRAM();
   NEEDS_RAYIMG();
   const SceneFolder place;
-  const std::string picture = place / "out.ppm";
-  ASSERT_EQ(RunProgram(With({place.Scene(), picture, "-quiet"}, picture_size)).status, 0);
+  const std::string image = place / "out.ppm";
+  ASSERT_EQ(RunProgram(With({place.Scene(), image, "-quiet"}, image_size)).status, 0);
   struct Case {
     const char* program;
     std::vector<std::string> words;
   };
   std::vector<Case> cases{
-      {"RAYPRO", With({place.Scene(), "-"}, picture_size)},
+      {"RAYPRO", With({place.Scene(), "-"}, image_size)},
       {"RAYPRO", {place.Scene(), "-check"}},
       {"RAYPRO", {place.Scene(), "-advise"}},
       {"RAYPRO", {place.Scene(), "-debugpixel", "1", "1"}},
-      {"RAYPRO", {"-info", picture}},
+      {"RAYPRO", {"-info", image}},
       {"RAYPRO", {"-list", "shapes"}},
       {"RAYPRO", {"-complete", "bash"}},
-      {"RAYIMG", {"info", picture}},
-      {"RAYIMG", {"diff", picture, picture}},
+      {"RAYIMG", {"info", image}},
+      {"RAYIMG", {"diff", image, image}},
   };
   for (const char* program : {"RAYPRO", "RAYIMG", "RAYVIEW"})
     for (const char* word : {"-help", "-man", "-version"})
@@ -250,10 +250,10 @@ TEST(Extremes, L6_ClosedStandardOutputIsAnErrorWhereverSomethingGoesThere) {
   }
 }
 
-TEST(Extremes, L10_ManyRunsWithOneOutputLeaveOneWholePicture) {
+TEST(Extremes, L10_ManyRunsWithOneOutputLeaveOneCompleteImage) {
   NEEDS_THE_PROGRAM();
   const SceneFolder place;
-  const auto words = With({place.Scene(), place / "out.ppm", "-quiet"}, picture_size);
+  const auto words = With({place.Scene(), place / "out.ppm", "-quiet"}, image_size);
   RunProgram(words);
   const std::string whole = ReadFile(place / "out.ppm");
   std::vector<std::unique_ptr<Running>> all;

@@ -1,4 +1,4 @@
-// Completion scripts are tried in bash itself, in a folder with files of every kind.
+// Completion scripts are run in bash itself, in a folder with files of every kind.
 #include "source/app/manual/Completion.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ class Completion : public ::testing::Test {
     std::filesystem::create_directory(folder_ / "sub");
   }
 
-  /// What bash offers for the last of the words, in the order of the alphabet, with strokes between.
+  /// Returns the completions that bash offers for the last word, in alphabetical order and separated by strokes.
   std::string Offers(const Program& program, const std::string& words) const {
     const std::string script = folder_ / "complete.mp3";
     ray::testing::WriteFile(script, BashCompletion(program));
@@ -53,7 +53,7 @@ TEST_F(Completion, BashFindsOptionsAndTheirChoices) {
   EXPECT_EQ(Rayview("in.scn -context o"), "osmesa");
 }
 
-TEST_F(Completion, BashFindsChoicesBehindAnEqualSign) {
+TEST_F(Completion, BashFindsChoicesAfterAnEqualSign) {
   EXPECT_EQ(Raypro("-shadows ="), "off|on");
   EXPECT_EQ(Raypro("-shadows = of"), "off");
 }

@@ -40,7 +40,7 @@ std::string WithRoffDashes(const std::string& text) {
   return roff;
 }
 
-/// How the help begins the lines on an option.
+/// Returns the beginning of the help lines of an option.
 std::string Entry(const OptionKind& option) {
   return "\n  " + Synopsis(option) + (Synopsis(option).size() < 23 ? " " : "\n");
 }
@@ -57,7 +57,7 @@ TEST(Help, NamesEveryOptionAndItsDefaultAndFitsTheScreen) {
   }
 }
 
-// Every text that a program prints of itself speaks of its options and of no other program's.
+// Every text that a program prints about itself names its own options only.
 TEST(Help, NoTextNamesOptionsOfTheOtherProgram) {
   for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(TheOther(program))) {
@@ -70,7 +70,7 @@ TEST(Help, NoTextNamesOptionsOfTheOtherProgram) {
     }
 }
 
-TEST(Help, ATopicHoldsItsOptionsAndNoOthers) {
+TEST(Help, ATopicContainsItsOptionsAndNoOthers) {
   for (const Program& program : scene_programs)
     for (const std::string& topic : OptionTopics(program))
       for (const OptionKind& option : OptionTable(program))
@@ -94,7 +94,7 @@ TEST(Help, ShowsNoAlias) {
 
 TEST(Help, EveryOptionHasAMarkdownRowOfFourCells) {
   auto lines = Lines(Help(Program::raypro, "markdown"));
-  lines.erase(std::ranges::find(lines, ""), lines.end());  // behind the table there are others
+  lines.erase(std::ranges::find(lines, ""), lines.end());  // other lines follow the table
   ASSERT_EQ(lines.size(), OptionTable(Program::raypro).size() + 2);
   for (const std::string& line : lines) EXPECT_EQ(Count(line, "|") - Count(line, "\\|"), 5u) << line;
 }
@@ -109,8 +109,8 @@ TEST(Help, RayviewsMarkdownHasRowsForItsOwnOptionsAlone) {
   }
 }
 
-// A reader of the documentation must not meet an option that is gone, or miss one.
-TEST(Help, TheDocumentedOptionTableIsOurs) {
+// The documentation must list every option and no removed one.
+TEST(Help, TheDocumentedOptionTableIsCurrent) {
   const char* root = std::getenv("RAYPRO_ROOT");
   const std::string page = testing::ReadFile(std::string(root ? root : ".") + "/docs/options.md");
   for (const Program& program : scene_programs)
@@ -131,7 +131,7 @@ TEST(Manual, NamesEveryOptionAndHasNoStrayDots) {
   }
 }
 
-// A command that the manual forgets is one that nobody finds.
+// Nobody finds a command that the manual does not list.
 TEST(Manual, OfScenesHasEveryCommandOfTheLanguage) {
   const std::string page = ManualPage("scn", Program::raypro);
   for (const Command& command : Commands()) {
@@ -144,7 +144,7 @@ TEST(Manual, OfScenesHasEveryCommandOfTheLanguage) {
     EXPECT_TRUE(Has(page, "\n.B " + WithRoffDashes(listed[i].substr(2)) + "\n")) << listed[i];
 }
 
-TEST(Manual, OfScenesShowsAnExampleThatIsOne) {
+TEST(Manual, OfScenesShowsAValidExample) {
   const std::string page = ManualPage("scn", Program::raypro), heading = ".SH EXAMPLE\n.nf\n";
   ASSERT_TRUE(Has(page, heading));
   const std::size_t start = page.find(heading) + heading.size();
@@ -157,7 +157,7 @@ TEST(Manual, OfScenesShowsAnExampleThatIsOne) {
   EXPECT_EQ(parsed.scene.lights.size(), 1u);
 }
 
-TEST(Manual, FormatsWithoutAWordFromRoff) {
+TEST(Manual, FormatsWithoutMessagesFromRoff) {
   if (std::system("command -v groff >/dev/null 2>&1") != 0) GTEST_SKIP() << "groff is not installed";
   const ray::testing::TemporaryFolder folder;
   for (const Program& program : scene_programs)
@@ -168,7 +168,7 @@ TEST(Manual, FormatsWithoutAWordFromRoff) {
     }
 }
 
-TEST(BashCompletion, TeachesEveryOption) {
+TEST(BashCompletion, OffersEveryOption) {
   for (const Program& program : scene_programs) {
     std::string bash_words = BashCompletion(program);
     std::ranges::replace(bash_words, '\'', ' ');

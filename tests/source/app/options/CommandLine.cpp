@@ -25,7 +25,7 @@ using Words = std::vector<std::string>;
 
 RenderOptions Parsed(const Words& words) { return ReadCommandLine(Program::raypro, words); }
 
-/// The names that a program needs, with more words behind them.
+/// Returns the names that a program needs, followed by more words.
 Words Beside(const Program& program, const Words& more) {
   Words words{"in.scn"};
   if (program == Program::raypro) words.emplace_back("out.ppm");
@@ -35,7 +35,7 @@ ViewerOptions ViewParsed(const Words& more) {
   return ReadCommandLine<ViewerOptions>(Program::rayview, Beside(Program::rayview, more));
 }
 
-/// The message of the error, or "" when there is none.
+/// Returns the message of the error, or "" if there is none.
 std::string ErrorOf(const Words& words, const Program& program = Program::raypro) {
   try {
     auto options = ReadCommandLine(program, words);
@@ -46,7 +46,7 @@ std::string ErrorOf(const Words& words, const Program& program = Program::raypro
   return "";
 }
 
-/// Beside the names that a render needs.
+/// With the names that a render needs.
 std::string ErrorBeside(const Words& words, const Program& program = Program::raypro) {
   return ErrorOf(Beside(program, words), program);
 }
@@ -78,7 +78,7 @@ TEST(CommandLine, NoTwoOptionsShareANameOrAlias) {
   }
 }
 
-// A default that the option itself refuses, or reads as something else, would make the help lie.
+// If the option refused its own default or read it as something else, the help would be wrong.
 TEST(CommandLine, EveryOptionGivenItsDefaultChangesNothing) {
   for (const Program& program : scene_programs) {
     const auto defaults = program.defaults();
@@ -108,7 +108,7 @@ TEST(CommandLine, EveryOptionTakesEachOfItsChoices) {
 TEST(CommandLine, DefaultsAreTheCoursesAndTheSpecifications) {
   const RenderOptions o = Parsed({"in.scn", "out.jpg"});
   EXPECT_EQ(o.files.scene, "in.scn");
-  EXPECT_EQ(o.files.picture, "out.jpg");
+  EXPECT_EQ(o.files.image, "out.jpg");
   EXPECT_FALSE(o.request);
   EXPECT_EQ(o.render.width, 256);
   EXPECT_EQ(o.render.height, 256);
@@ -134,20 +134,20 @@ TEST(CommandLine, OneDashTwoDashesAndEqualsMeanTheSame) {
   }
 }
 
-TEST(CommandLine, OptionsMayStandBeforeBetweenAndBehindTheNames) {
+TEST(CommandLine, OptionsMayComeBeforeBetweenAndAfterTheNames) {
   const RenderOptions o = Parsed({"-width", "5", "in.scn", "-srgb", "out.ppm", "-crop", "1", "2", "3", "4"});
   EXPECT_EQ(o.files.scene, "in.scn");
-  EXPECT_EQ(o.files.picture, "out.ppm");
+  EXPECT_EQ(o.files.image, "out.ppm");
   EXPECT_EQ(o.render.width, 5);
   EXPECT_TRUE(o.encoding.srgb);
   EXPECT_EQ(o.render.crop->x0, 1);
   EXPECT_EQ(o.render.crop->y1, 4);
 }
 
-TEST(CommandLine, BehindTwoDashesEverythingIsAName) {
+TEST(CommandLine, AfterTwoDashesEverythingIsAName) {
   const RenderOptions o = Parsed({"--", "-in.scn", "-width.ppm"});
   EXPECT_EQ(o.files.scene, "-in.scn");
-  EXPECT_EQ(o.files.picture, "-width.ppm");
+  EXPECT_EQ(o.files.image, "-width.ppm");
 }
 
 TEST(CommandLine, SilentAliasesSetTheSameValue) {
@@ -157,14 +157,14 @@ TEST(CommandLine, SilentAliasesSetTheSameValue) {
   EXPECT_TRUE(Parsed({"a", "-dry-run"}).Asks("check"));
 }
 
-TEST(CommandLine, SrgbMakesTheWholeRoadLinear) {
+TEST(CommandLine, SrgbMakesTexturesAndImageLinear) {
   const RenderOptions o = Parsed({"a", "b", "-srgb"});
   EXPECT_TRUE(o.encoding.srgb);
   EXPECT_TRUE(o.parse.decode_srgb);
   EXPECT_FALSE(Parsed({"a", "b"}).parse.decode_srgb);
 }
 
-TEST(CommandLine, FoldersMayBeAllowedOneAfterTheOther) {
+TEST(CommandLine, SeveralFoldersMayBeAllowed) {
   const RenderOptions o = Parsed({"a", "b", "-allow_path", "x", "-allow_path=y"});
   ASSERT_EQ(o.parse.allowed_folders.size(), 2u);
   EXPECT_EQ(o.parse.allowed_folders[1], "y");
@@ -188,9 +188,9 @@ TEST(Extremes, K6_BadNumbersAreRefusedWithOptionValueAndRange) {
   }
 }
 
-TEST(Extremes, K6_NumbersDoNotAskTheLocale) {
+TEST(Extremes, K6_NumbersDoNotDependOnTheLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // does no harm where it is not installed
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // harmless if it is not installed
   EXPECT_EQ(Parsed({"a", "b", "-min_luminance", "0.5"}).render.trace.min_luminance, 0.5);
   EXPECT_NE(ErrorBeside({"-min_luminance", "0,5"}), "");
   std::setlocale(LC_ALL, before.c_str());
@@ -252,7 +252,7 @@ TEST(Extremes, G5_SamplesAreAtLeastOneAndFitAnInteger) {
   EXPECT_EQ(Parsed({"a", "b", "-samples", "2147483647"}).render.samples, 2147483647);
 }
 
-TEST(Extremes, G6_ACropIsInsideThePictureAndNotEmpty) {
+TEST(Extremes, G6_ACropIsInsideTheImageAndNotEmpty) {
   const std::string rule = "whole numbers with x0 < x1 and y0 < y1, inside the image of 256 x 256";
   EXPECT_EQ(ErrorBeside({"-crop", "-1", "0", "4", "4"}), "-crop -1 0 4 4: it must be " + rule);
   for (const char* outside : {"0 0 257 1", "0 0 1 257", "0 -1 1 1", "4 4 4 8", "4 4 8 4", "8 8 4 4"}) {
@@ -277,7 +277,7 @@ TEST(CommandLine, ARepeatedOptionTakesItsLastValue) {
   EXPECT_TRUE(Parsed({"a", "-check", "-check"}).Asks("check"));
 }
 
-TEST(CommandLine, AnotherProgramsWordIsNoOptionAndMeansOneOnly) {
+TEST(CommandLine, AnotherProgramsOptionIsUnknownAndHasOneEquivalent) {
   for (const Program& program : scene_programs) {
     std::set<std::string> words;
     for (const OptionKind& option : OptionTable(program))
@@ -294,7 +294,7 @@ TEST(CommandLine, OptionsExcludeOptionsThatExist) {
       for (const char* other : option.facts.excludes) EXPECT_TRUE(FindOption(program, other)) << other;
 }
 
-TEST(CommandLine, EverySettingOfARenderSaysWhatItChanges) {
+TEST(CommandLine, EverySettingOfARenderStatesItsEffects) {
   for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(program)) {
       const bool says = option.facts.HasAny({Fact::image, Fact::samples, Fact::budget, Fact::speed, Fact::run,
@@ -303,24 +303,24 @@ TEST(CommandLine, EverySettingOfARenderSaysWhatItChanges) {
     }
 }
 
-TEST(CommandLine, ThePictureOfALoneSceneLiesBesideIt) {
-  const auto picture_of = [](std::vector<std::string> words) {
-    return ReadCommandLine(Program::raypro, words).files.picture;
+TEST(CommandLine, TheImageOfALoneSceneIsBesideIt) {
+  const auto image_of = [](std::vector<std::string> words) {
+    return ReadCommandLine(Program::raypro, words).files.image;
   };
-  EXPECT_EQ(picture_of({"my/in.scn"}), "my/in.png");
-  EXPECT_EQ(picture_of({"-width", "64", "In.SCN", "-srgb"}), "In.png");
-  EXPECT_EQ(picture_of({"my.v2/in.yaml"}), "my.v2/in.png");
-  EXPECT_EQ(picture_of({"scene01.json"}), "scene01.png");
-  EXPECT_EQ(picture_of({"in.scn", "out.jpg"}), "out.jpg");
-  EXPECT_EQ(picture_of({"in.scn", "-check"}), "");
+  EXPECT_EQ(image_of({"my/in.scn"}), "my/in.png");
+  EXPECT_EQ(image_of({"-width", "64", "In.SCN", "-srgb"}), "In.png");
+  EXPECT_EQ(image_of({"my.v2/in.yaml"}), "my.v2/in.png");
+  EXPECT_EQ(image_of({"scene01.json"}), "scene01.png");
+  EXPECT_EQ(image_of({"in.scn", "out.jpg"}), "out.jpg");
+  EXPECT_EQ(image_of({"in.scn", "-check"}), "");
 }
 
 TEST(CommandLine, AnExtensionMayBeInCapitals) {
-  EXPECT_EQ(Parsed({"S.YAML"}).files.picture, "S.png");
-  EXPECT_EQ(Parsed({"s.Yml"}).files.picture, "s.png");
+  EXPECT_EQ(Parsed({"S.YAML"}).files.image, "S.png");
+  EXPECT_EQ(Parsed({"s.Yml"}).files.image, "s.png");
 }
 
-TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {
+TEST(CommandLine, HelpAnywhereIsAnsweredDespiteOtherMistakes) {
   for (const Words& words : {Words{"-help"},
                              {"--help"},
                              {"-h"},
@@ -332,11 +332,11 @@ TEST(CommandLine, HelpAnywhereIsAnsweredWhateverElseIsWrong) {
   EXPECT_EQ(Parsed({"-help", "light"}).subject, "light");
   EXPECT_EQ(Parsed({"-help=light"}).subject, "light");
   EXPECT_EQ(Parsed({"-help", "max_depth"}).subject, "max_depth");
-  EXPECT_EQ(Parsed({"-help", "quality"}).subject, "quality");  // a topic before it is an option
+  EXPECT_EQ(Parsed({"-help", "quality"}).subject, "quality");  // a topic comes before an option
 }
 
-// Anything else thrown would end the program as if it had failed while rendering.
-TEST(CommandLine, AnyWordsParseOrGiveAUsageError) {
+// Any other exception would end the program with the status of a failed render.
+TEST(CommandLine, AnyArgumentsParseOrGiveAUsageError) {
   Words vocabulary{"", "-", "--", "---", "=", "-=", "--=x", "a", "1", "-1", "1e9", "on", "\xff\xfe", "-\n", "graph"};
   for (const Program& program : programs)
     for (const OptionKind& option : OptionTable(program))
@@ -359,7 +359,7 @@ TEST(Extremes, K8_ControlCharactersInWordsArePrintedEscaped) {
   EXPECT_FALSE(Has(ErrorBeside({"-\033[2J"}), "\033"));
 }
 
-TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
+TEST(CommandLine, AnOptionOfTheOtherProgramIsReportedAsOne) {
   for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(TheOther(program))) {
       const std::string name = option.name;
@@ -369,8 +369,8 @@ TEST(CommandLine, AnOptionOfTheOtherProgramIsCalledThat) {
     }
 }
 
-// What a table says of both programs must come out the same in both, or a picture traced in the window is another.
-TEST(CommandLine, SharedOptionsHaveOneDefaultButForTheSize) {
+// An option of both programs must be read equally in both, or an image traced in the window differs.
+TEST(CommandLine, SharedOptionsHaveOneDefaultExceptForTheSize) {
   for (const OptionKind& option : OptionTable(Program::rayview))
     EXPECT_TRUE(option.known_to == KnownTo::rayview ||
                 Program::rayview.defaults()->Show(option) == Program::raypro.defaults()->Show(option))
@@ -386,7 +386,7 @@ TEST(CommandLine, RayviewTakesOneNameAndItsOwnOptions) {
   EXPECT_EQ(o.program, &Program::rayview);
   EXPECT_FALSE(o.request);
   EXPECT_EQ(o.files.scene, "in.scn");
-  EXPECT_EQ(o.files.picture, "s.png");
+  EXPECT_EQ(o.files.image, "s.png");
   EXPECT_EQ(o.view.output_image, "w.png");
   EXPECT_TRUE(o.view.headless);
   EXPECT_FALSE(o.view.exit_immediately);
@@ -400,10 +400,10 @@ TEST(CommandLine, RayviewTakesOneNameAndItsOwnOptions) {
   EXPECT_EQ(o.render.height, 512);
   EXPECT_TRUE(o.verbose);
   EXPECT_TRUE(ViewParsed({"-exit_immediately"}).view.exit_immediately);
-  EXPECT_EQ(ViewParsed({}).files.picture, "");
+  EXPECT_EQ(ViewParsed({}).files.image, "");
 }
 
-TEST(CommandLine, DebugpixelNamesAPixelAndNeedsNoPicture) {
+TEST(CommandLine, DebugpixelNamesAPixelAndNeedsNoImage) {
   const RenderOptions o = Parsed({"in.scn", "-debugpixel", "255", "0", "-samples", "4"});
   EXPECT_TRUE(o.Asks("debugpixel"));
   EXPECT_EQ(o.pixel->x, 255);
@@ -411,7 +411,7 @@ TEST(CommandLine, DebugpixelNamesAPixelAndNeedsNoPicture) {
   EXPECT_EQ(o.render.samples, 4);
 }
 
-// Whoever looks into a render appends a word to the command that made it.
+// To examine a render, users append an option to its command.
 TEST(CommandLine, DebugpixelAndCheckMayBeAppendedToAnyRender) {
   const Words renders[] = {
       {"-report", "r.json", "-stats"}, {"-time", "5s", "-resume"}, {"-error", "2", "-adaptive", "tile"},
@@ -425,7 +425,7 @@ TEST(CommandLine, DebugpixelAndCheckMayBeAppendedToAnyRender) {
     }
 }
 
-/// A value for the option that is not its default.
+/// Returns a value for the option that is not its default.
 Words SomeValue(const OptionKind& option, const Options& defaults) {
   for (const std::string& choice : Choices(option))
     if (choice != defaults.Show(option)) return {choice};
@@ -443,7 +443,7 @@ Words SomeValue(const OptionKind& option, const Options& defaults) {
   return {"7"};
 }
 
-TEST(CommandLine, WordsTypedForAValueLeadToIt) {
+TEST(CommandLine, CommonWordsForAValueSuggestIt) {
   for (const Program& program : scene_programs)
     for (const OptionKind& option : OptionTable(program)) {
       if (!IsSetting(option)) continue;
@@ -460,7 +460,7 @@ TEST(CommandLine, WordsTypedForAValueLeadToIt) {
     }
 }
 
-// Copied from a web page, where two hyphens have become a dash.
+// Text copied from a web page may have a dash instead of two hyphens.
 TEST(CommandLine, OptionsWithAnotherDashAreNoNames) {
   EXPECT_EQ(ErrorOf({"--", "\u2013width", "out.ppm"}), "") << "behind -- all are names";
   EXPECT_EQ(ErrorOf({"\u2013my scene.scn", "out.ppm"}), "") << "no option has that name";

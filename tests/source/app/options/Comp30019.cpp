@@ -1,4 +1,4 @@
-// COMP30019's command line, as words: what they become in raypro's options.
+// COMP30019's command line, as words, and the options of raypro that they become.
 #include "source/app/options/Comp30019.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 
 using CourseWords = std::vector<std::string>;
 
-/// With the two options that must be there.
+/// With the two required options.
 RenderOptions AskedOfCourse(CourseWords words) {
   words.insert(words.end(), {"-f", "in.txt", "-o", "out.png"});
   return comp30019::ReadCommandLine(words);
@@ -18,7 +18,7 @@ RenderOptions AskedOfCourse(CourseWords words) {
 TEST(Comp30019CommandLine, EveryOptionHasItsDefault) {
   const RenderOptions options = AskedOfCourse({});
   EXPECT_EQ(options.files.scene, "in.txt");
-  EXPECT_EQ(options.files.picture, "out.png");
+  EXPECT_EQ(options.files.image, "out.png");
   EXPECT_EQ(options.render.width, 400);
   EXPECT_EQ(options.render.height, 400);
   EXPECT_EQ(options.render.samples, 1);
@@ -47,7 +47,7 @@ TEST(Comp30019CommandLine, EveryOptionHasALongAndAShortName) {
   }
 }
 
-TEST(Comp30019CommandLine, OneSidedIsKnownInRayprosSpellingToo) {
+TEST(Comp30019CommandLine, OneSidedIsAcceptedInRayprosSpellingToo) {
   EXPECT_FALSE(AskedOfCourse({}).parse.one_sided);
   for (const char* word : {"-one_sided", "--one_sided", "--one-sided"})
     EXPECT_TRUE(AskedOfCourse({word, "-w", "300"}).parse.one_sided) << word;
@@ -55,7 +55,7 @@ TEST(Comp30019CommandLine, OneSidedIsKnownInRayprosSpellingToo) {
 
 TEST(Comp30019CommandLine, HIsTheHeightAndNotHelp) { EXPECT_EQ(AskedOfCourse({"-h", "300"}).render.height, 300); }
 
-TEST(Comp30019CommandLine, HelpIsAnsweredWhateverElseIsThere) {
+TEST(Comp30019CommandLine, HelpIsAnsweredWithAnyOtherOptions) {
   for (const CourseWords& words : {CourseWords{"--help"}, CourseWords{"-x", "nonsense", "--help"}}) {
     const RenderOptions options = comp30019::ReadCommandLine(words);
     EXPECT_TRUE(options.Asks("help"));

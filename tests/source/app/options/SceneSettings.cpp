@@ -29,7 +29,7 @@ std::string RefusalOf(const SceneSetting& setting) {
   return "";
 }
 
-TEST(SceneSettings, AreInForceWhereTheCommandLineIsSilent) {
+TEST(SceneSettings, ApplyUnlessTheCommandLineSetsThem) {
   const Scene scene = With({{"max_depth", "7", "a.scn:1:5"}, {"width", "40", "a.scn:2:5"}, {"motion", "0 1 2", "x"}});
   const RenderOptions silent = WithSettingsOf(scene, Typed({}));
   EXPECT_EQ(silent.render.trace.max_depth, 7);
@@ -37,10 +37,10 @@ TEST(SceneSettings, AreInForceWhereTheCommandLineIsSilent) {
   EXPECT_EQ(silent.render.camera.motion, (R3::Vector{0, 1, 2}));
   const RenderOptions typed = WithSettingsOf(scene, Typed({"-maxreflections", "3", "-width", "256"}));
   EXPECT_EQ(typed.render.trace.max_depth, 3);
-  EXPECT_EQ(typed.render.width, 256);  // though it is the default
+  EXPECT_EQ(typed.render.width, 256);  // although it is the default
 }
 
-TEST(SceneSettings, APresetThatWasAskedForComesBeforeThem) {
+TEST(SceneSettings, ARequestedPresetComesBeforeThem) {
   const Scene scene = With({{"max_depth", "7", "a.scn:1:5"}});
   EXPECT_EQ(WithSettingsOf(scene, Typed({"-quality", "draft"})).render.trace.max_depth, 20);
   const Scene of_filter = With({{"filter", "mitchell", "a.scn:1:5"}});
@@ -48,7 +48,7 @@ TEST(SceneSettings, APresetThatWasAskedForComesBeforeThem) {
       << "of which it says nothing";
 }
 
-TEST(SceneSettings, ThatAreInForceAreListedWithWhoSetThem) {
+TEST(SceneSettings, ThatApplyAreListedWithTheirSource) {
   const Scene scene = With({{"max_depth", "7", "a.scn:1:5"}, {"width", "40", "COMP30019"}});
   EXPECT_EQ(SettingsInForce(scene, Typed({"-width", "3"})), (std::vector<std::string>{"-max_depth 7 (a.scn:1:5)"}));
 }
@@ -89,7 +89,7 @@ TEST(SceneSettings, OfAFlagTheValueIsOnOrOff) {
               "a.scn:1:5: error: -fresnel must be on or off, got '" + std::string(value) + "'");
 }
 
-// An author once read of "-aperture" without a file or a line, as if it had been typed.
+// Regression: a mistake in a scene was reported without its file and line, as if it had been typed.
 TEST(SceneSettings, ThatContradictEachOtherAreReportedAtTheirPlace) {
   const auto refusal = [](const std::vector<SceneSetting>& settings) {
     try {

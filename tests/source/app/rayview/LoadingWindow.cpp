@@ -37,8 +37,8 @@ class LoadingWindow : public ::testing::Test {
   std::optional<testing::Variable> display;
 };
 
-// Nothing was seen while ten million triangles were read.
-TEST_F(LoadingWindow, SaysWhatIsBeingReadUntilItIsThere) {
+// Regression: the window was empty while ten million triangles were read.
+TEST_F(LoadingWindow, NamesTheFileUntilItIsRead) {
   std::promise<std::shared_ptr<const LoadedScene>> scene;
   const auto loading = scene.get_future();
   bool is_seen = false;
@@ -53,7 +53,7 @@ TEST_F(LoadingWindow, SaysWhatIsBeingReadUntilItIsThere) {
   EXPECT_EQ(window->Width(), 200);
 }
 
-TEST_F(LoadingWindow, IsNotOpenedForWhatIsThereAtOnce) {
+TEST_F(LoadingWindow, IsNotOpenedForFilesThatLoadAtOnce) {
   std::promise<std::shared_ptr<const LoadedScene>> scene;
   scene.set_value(nullptr);
   EXPECT_FALSE(WindowUntilLoaded(scene.get_future(), 200, 100, "scenes/hello.scn"));

@@ -26,7 +26,7 @@ TEST(PanelHabits, OfAMissingFileAreTheDefaultsAndCreateNone) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.Path()));
 }
 
-TEST(PanelHabits, WhatIsNotNamedIsAsUsual) {
+TEST(PanelHabits, MissingValuesAreTheDefaults) {
   EXPECT_EQ(ReadPanelHabits("theme light\n"), (PanelSettings{PanelTheme::light, 1, 0}));
   EXPECT_EQ(ReadPanelHabits(""), PanelSettings());
 }
@@ -44,7 +44,7 @@ TEST(PanelHabits, ABrokenFileIsIgnoredWithAMessage) {
   }
 }
 
-TEST(PanelHabits, WhatCannotBeKeptIsTold) {
+TEST(PanelHabits, AFailureToSaveThemIsReported) {
   const testing::TemporaryFolder folder;
   testing::WriteFile(folder / "raypro", "a file, no folder");
   ::testing::internal::CaptureStderr();
@@ -52,7 +52,7 @@ TEST(PanelHabits, WhatCannotBeKeptIsTold) {
   EXPECT_TRUE(::testing::internal::GetCapturedStderr().starts_with("rayview: cannot save the panel layout: "));
 }
 
-TEST(PanelHabits, AreInTheFolderForThat) {
+TEST(PanelHabits, AreInTheFolderForSettings) {
   const Variable home("HOME", "/home/someone");
   {
     const Variable config("XDG_CONFIG_HOME", "/config");

@@ -19,7 +19,7 @@ std::string ValueOf(const ViewerOptions& options, const std::string& name) {
   return "not there";
 }
 
-TEST(PanelOptions, AreThoseOfPicturesWithTheirValues) {
+TEST(PanelOptions, AreThoseOfImagesWithTheirValues) {
   const ViewerOptions options = Typed({"a.scn", "-samples", "4", "-glossy", "-quiet", "-headless"});
   EXPECT_EQ(ValueOf(options, "samples"), "4");
   EXPECT_EQ(ValueOf(options, "glossy"), "on");
@@ -37,7 +37,7 @@ TEST(PanelOptions, OneChangeLeavesTheOthersAsTheyAre) {
     if (shown.name != "mode") {
       EXPECT_EQ(ValueOf(changed, shown.name), shown.value) << shown.name;
     }
-  EXPECT_EQ(changed.files.picture, "x y.png");
+  EXPECT_EQ(changed.files.image, "x y.png");
   EXPECT_EQ(changed.files.scene, "a b.scn");
 }
 
@@ -47,18 +47,18 @@ TEST(PanelOptions, AcceptTheirOwnValueAndDefault) {
     EXPECT_EQ(ValueOf(WithOption(options, shown.name, shown.value), shown.name), shown.value) << shown.name;
     EXPECT_EQ(ValueOf(WithOption(options, shown.name, ""), shown.name), shown.value) << shown.name;
     for (const std::string& choice : shown.choices) {
-      if (shown.name == "simd" || shown.name == "sampler") continue;  // of this machine; of a square of samples
+      if (shown.name == "simd" || shown.name == "sampler") continue;  // from the machine or a square
       EXPECT_EQ(ValueOf(WithOption(options, shown.name, choice), shown.name), choice) << shown.name;
     }
   }
 }
 
-TEST(PanelOptions, AFlagIsTakenBack) {
+TEST(PanelOptions, AFlagCanBeCleared) {
   EXPECT_FALSE(WithOption(Typed({"a.scn", "-glossy"}), "glossy", "").render.trace.glossy);
   EXPECT_TRUE(WithOption(Typed({"a.scn"}), "glossy", "on").render.trace.glossy);
 }
 
-TEST(PanelOptions, WhatCannotBeIsRefused) {
+TEST(PanelOptions, ImpossibleValuesAreRefused) {
   const ViewerOptions options = Typed({"a.scn"});
   EXPECT_THROW(WithOption(options, "samples", "none"), UsageError);
   EXPECT_THROW(WithOption(options, "aperture", "0.1"), UsageError) << "without -focus";

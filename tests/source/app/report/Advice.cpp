@@ -33,7 +33,7 @@ std::string AdviceOn(const std::string& scene, const std::vector<std::string>& w
   return Advice(world, *FindAcceleratorKind("bvh")->Make(world, {}), options, seconds_to_start);
 }
 
-TEST(Advice, OnlyKnobsThatTheSceneHasAreTried) {
+TEST(Advice, OnlyOptionsThatAffectTheSceneAreTried) {
   const std::string soft = AdviceOn(soft_light + ball);
   EXPECT_TRUE(Has(soft, "\n-shadow_samples 1 ")) << soft;
   EXPECT_FALSE(Has(soft, "-lights") || Has(soft, "-max_depth") || Has(soft, "-strategy")) << soft;
@@ -46,7 +46,7 @@ TEST(Advice, OnlyKnobsThatTheSceneHasAreTried) {
   EXPECT_TRUE(Has(many, "\n-lights all ")) << many;
 }
 
-TEST(Advice, LightThatDepthCutsAwayIsTold) {
+TEST(Advice, LightLostToTheDepthLimitIsReported) {
   // A white room lit by a lamp within it is much brighter after many bounces.
   const std::string room =
       "material 0 0 0  .9 .9 .9  0 0 0  0 0 0  0 0 0  1 1 0\npoint_light 3 3 3  0 1 0  1 0 0\n"
@@ -57,11 +57,11 @@ TEST(Advice, LightThatDepthCutsAwayIsTold) {
   EXPECT_FALSE(Has(AdviceOn(soft_light + ball), "more light"));
 }
 
-TEST(Advice, AnImageWithoutNoiseIsSaidToHaveNone) {
+TEST(Advice, AnImageWithoutNoiseIsReported) {
   EXPECT_TRUE(Has(AdviceOn("background .5 .5 .5\n"), "No noise was found"));
 }
 
-TEST(Advice, TheTargetIsTheErrorAskedForInItsUnit) {
+TEST(Advice, TheTargetIsTheRequestedErrorInItsUnit) {
   EXPECT_TRUE(Has(AdviceOn(soft_light + ball), " below 2/255 "));
   const std::string relative = AdviceOn(soft_light + ball, {"error", "3%"});
   EXPECT_TRUE(Has(relative, " below 3% ")) << relative;
@@ -85,7 +85,7 @@ std::vector<AdvisedRow> RowsOf(const std::string& advice) {
   return rows;
 }
 
-TEST(Advice, WhatItRecommendsIsTheFastestOfItsRows) {
+TEST(Advice, TheRecommendationIsTheFastestOfItsRows) {
   std::string lights;
   for (int i = 0; i < 3; ++i) lights += soft_light;
   const std::string text = AdviceOn(lights + ball, {}, 0);
@@ -106,7 +106,7 @@ TEST(Advice, SecondsCountFromTheStartOfTheProgram) {
   for (const AdvisedRow& row : RowsOf(AdviceOn(soft_light + ball, {}, 1000))) EXPECT_GE(row.seconds, 1000);
 }
 
-TEST(Advice, AnErrorThatSoFewSamplesDoNotReachIsSaidNotTo) {
+TEST(Advice, AnErrorOutOfReachOfTheSamplesIsReported) {
   const std::string text = AdviceOn(soft_light + ball, {"samples", "8", "mode", "path", "error", "0.01"});
   EXPECT_TRUE(Has(text, "as asked") && Has(text, "never")) << text;
 }

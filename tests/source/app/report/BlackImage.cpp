@@ -18,7 +18,7 @@ const std::string white_wall = "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1
                       "quad 0 -2 -2 -2  -2 -2 2  -2 2 2  -2 2 -2  quad 0 2 -2 -2  2 -2 2  2 2 2  2 2 -2 "
                       "quad 0 -2 -2 -2  2 -2 -2  2 -2 2  -2 -2 2  quad 0 -2 2 -2  2 2 -2  2 2 2  -2 2 2 ";
 
-/// The reason that is given, or "lit" if the image is not black.
+/// Returns the reason that is printed, or "lit" if the image is not black.
 std::string Reason(const std::string& text, RenderMode mode = RenderMode::whitted) {
   const project::Stage stage(project::FromText(text));
   RenderSettings settings;
@@ -45,7 +45,7 @@ TEST(BlackImage, ALampThatNothingInViewSeesIsNamed) {
       Has(Reason(eye + white_wall + "point_light 1 1 1  0 -9 0  1 0 0 " + floor), "from behind, and the lights"));
 }
 
-TEST(BlackImage, FacesThatAreTurnedAwayAreNamed) {
+TEST(BlackImage, BackFacesAreNamed) {
   const std::string sun = "dir_light 1 1 1  0 0 -1 ", away = "tri 0 -2 -2 0  0 2 0  2 -2 0 ";
   EXPECT_TRUE(Has(Reason(eye_outside + white_wall + "one_sided 0 " + sun + away), "one-sided and turned away"));
   EXPECT_EQ(Reason(eye_outside + white_wall + "one_sided 0 " + sun + "tri 0 -2 -2 0  2 -2 0  0 2 0 "), "lit");

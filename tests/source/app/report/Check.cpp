@@ -14,7 +14,7 @@ using testing::Has;
 using testing::TemporaryFolder;
 using testing::WriteFile;
 
-/// A scene from its text, flattened.
+/// A flattened scene, from its text.
 class Example {
  public:
   /// `files`: others in its folder, by name.
@@ -22,7 +22,7 @@ class Example {
       : parsed_(Parse(Written(text, files), {})), world_(parsed_.scene) {}
 
   const World& TheWorld() const { return world_; }
-  /// The likely mistakes, one a line.
+  /// Returns the likely mistakes, one per line.
   std::string Mistakes(const RenderSettings& settings = {}) const {
     std::string all;
     for (const std::string& mistake : LikelyMistakes(world_, settings)) all += mistake + "\n";
@@ -44,7 +44,7 @@ const std::string camera = "camera 0 0 9  0 0 -1  0 1 0  0.4  0.1 100\n";
 
 TEST(Check, AGoodSceneHasNoMistakes) { EXPECT_EQ(Example(camera + "sphere -1  0 0 0  1\n").Mistakes(), ""); }
 
-TEST(Check, ASpecularMapWithoutEffectIsPointedOut) {
+TEST(Check, ASpecularMapWithoutEffectIsReported) {
   const std::map<std::string, std::string> files{{"t.ppm", "P3 1 1 255 255 255 255 "}};
   const auto mistakes = [&](const std::string& ks, const std::string& shape) {
     return Example(camera + "material 0 0 0  1 1 1  " + ks + "  0 0 0  0 0 0  10 1 0\nspecular_map 0 t.ppm\n" + shape,
@@ -71,14 +71,14 @@ TEST(Check, AProjectedTextureNeedsNoTextureCoordinates) {
   EXPECT_EQ(mistakes("texture_project 0\n"), "");
 }
 
-TEST(Check, ACameraInsideASolidIsPointedOut) {
+TEST(Check, ACameraInsideASolidIsReported) {
   for (const char* shape :
        {"sphere -1  0 0 9  1", "box -1  -5 -5 -5  5 5 10", "cylinder -1  0 0 9  1 4", "cone -1  0 0 9  3 8"})
     EXPECT_TRUE(Has(Example(camera + shape + "\n").Mistakes(), "the camera is inside 1 shape")) << shape;
   EXPECT_TRUE(Has(Example(camera + "sphere -1  0 0 9  1\nsphere -1  0 0 8 3\n").Mistakes(), "inside 2 shapes"));
 }
 
-TEST(Check, AnEmissiveSolidThatLightsNothingIsPointedOut) {
+TEST(Check, AnEmissiveSolidThatLightsNothingIsReported) {
   const std::string emissive = camera + "material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  10 1 0\n";
   const std::string warning = "this shape emits but lights nothing in mode whitted; -mode path makes it a light";
   const Example sphere(emissive + "sphere 0  0 0 0  1\n");
@@ -95,7 +95,7 @@ TEST(Check, AnEmissiveSolidThatLightsNothingIsPointedOut) {
 }
 
 TEST(Check, InsideTheBoundsIsNotInsideTheSolid) {
-  const Example example(camera + "sphere -1  0.9 0.9 9.9  1.5\n");  // its corner reaches over the camera
+  const Example example(camera + "sphere -1  0.9 0.9 9.9  1.5\n");  // a corner of its box contains the camera
   EXPECT_EQ(SolidsAround(example.TheWorld(), {0, 0, 9}), 0);
   EXPECT_EQ(SolidsAround(example.TheWorld(), {0.9, 0.9, 9.9}), 1);
 }
@@ -106,7 +106,7 @@ TEST(Check, BeingInsideFollowsTheTransformsOfTheGraph) {
   EXPECT_EQ(SolidsAround(example.TheWorld(), {0.5, 0, 0}), 0);
 }
 
-// Which places are inside a sphere is known without rays.
+// Whether a point is inside a sphere is computed without rays.
 TEST(Check, InsideASphereIsNearerThanItsRadius) {
   const Example example(camera + "sphere -1  0.25 -0.5 0.125  1\n");
   for (int i = 0; i < 1000; ++i) {
@@ -117,7 +117,7 @@ TEST(Check, InsideASphereIsNearerThanItsRadius) {
   }
 }
 
-TEST(Check, ASceneInTheDarkIsPointedOut) {
+TEST(Check, ASceneInTheDarkIsReported) {
   const std::string black = camera + "sphere -1  0 0 0  1\npoint_light 0 0 0  0 5 0  1 0 0\n";
   EXPECT_TRUE(Has(Example(black).Mistakes(), "the scene is unlit; every light is black"));
   const std::string glowing = "material 0 0 0  1 1 1  0 0 0  0 0 0  1 1 1  1 1 0\n";
@@ -130,8 +130,8 @@ RenderSettings Of(RenderMode mode) {
   return settings;
 }
 
-TEST(Check, AFlareWithoutALightIsPointedOut) {
-  const std::string warning = "-flare has no effect without a light; what emits has no lens flare";
+TEST(Check, AFlareWithoutALightIsReported) {
+  const std::string warning = "-flare has no effect without a light; emissive surfaces have no lens flare";
   const std::string lamp = "material 0 0 0  0 0 0  0 0 0  0 0 0  9 9 9  1 1 0\nsphere 0  0 0 0  1\n";
   RenderSettings settings = Of(RenderMode::path);
   settings.flare = 1;
@@ -150,8 +150,8 @@ TEST(Check, ADarkSceneIsNoMistakeInUnlitModes) {
     EXPECT_EQ(dark.Mistakes(Of(mode)), "") << static_cast<int>(mode);
 }
 
-// {color: [1, 0, 0]} without ka, kd and ks, in the languages that have colors apart.
-TEST(Check, AColorThatNoWeightUsesIsPointedOut) {
+// {color: [1, 0, 0]} without ka, kd and ks, in the languages with separate colors.
+TEST(Check, AColorThatNoWeightUsesIsReported) {
   const std::string black = "material 0 0 0  0 0 0  0 0 0  0 0 0  0 0 0  1 1 0\nflat_color 0  1 0 0\n";
   const Example example(camera + black + "sphere 0  0 0 0  1\n");
   EXPECT_TRUE(Has(example.Mistakes(), "has a color but no ka, kd or ks, and is black")) << example.Mistakes();
@@ -160,12 +160,12 @@ TEST(Check, AColorThatNoWeightUsesIsPointedOut) {
   EXPECT_EQ(Example(camera + red + "sphere 0  0 0 0  1\n").Mistakes(), "");
 }
 
-TEST(Check, InsideOfGlassTheCameraMayBe) {
+TEST(Check, TheCameraMayBeInsideGlass) {
   const std::string glass = "material 0 0 0  0 0 0  0 0 0  .9 .9 .9  0 0 0  1 1.5 0\n";
   EXPECT_EQ(Example(camera + glass + "sphere 0  0 0 9  1\n").Mistakes(), "");
 }
 
-// Its box was looked for where its file puts it, not where its group does.
+// Regression: its box was taken from its file without the transform of its group.
 TEST(Check, AMeshThatAGroupMovesIntoViewIsSeen) {
   const std::map<std::string, std::string> files{{"a.obj", "v 49 0 0\nv 51 0 0\nv 50 1 0\nf 1 2 3\n"}};
   const auto placed = [](const std::string& x) {
@@ -175,14 +175,14 @@ TEST(Check, AMeshThatAGroupMovesIntoViewIsSeen) {
   EXPECT_TRUE(Has(Example(placed("50"), files).Mistakes(), "this shape lies outside the view"));
 }
 
-TEST(Check, ASceneWithNothingInViewIsPointedOut) {
+TEST(Check, ASceneWithNothingInViewIsReported) {
   const std::string warning = "warning: nothing in the scene is in view of the camera";
   EXPECT_TRUE(Has(Example(camera + "sphere -1  0 0 20  1\n").Mistakes(), warning));
   EXPECT_FALSE(Has(Example(camera + "sphere -1  0 0 20  1\nsphere -1  0 0 0  1\n").Mistakes(), warning));
 }
 
-// A place for what was meant to be one shape of many to be out of sight, but not for a picture of nothing.
-TEST(Check, EveryRenderWarnsOfCheaplyFoundMistakes) {
+// One shape of many may be out of view on purpose, but not all of them.
+TEST(Check, EveryRenderWarnsOfMistakesThatAreCheapToFind) {
   const auto plain = [](const std::string& text) {
     std::string all;
     for (const std::string& mistake : PlainMistakes(Example(camera + text).TheWorld(), {})) all += mistake + "\n";
@@ -195,7 +195,7 @@ TEST(Check, EveryRenderWarnsOfCheaplyFoundMistakes) {
   EXPECT_FALSE(Has(plain("sphere -1  0 0 0  0\n"), "degenerate")) << "its reader has said so";
 }
 
-// What -check knows to spoil an image, a render says as well.
+// A render prints the findings of -check that spoil an image.
 TEST(Check, EveryRenderHintsAtLampsCoincidentSurfacesAndEnclosedLights) {
   const auto hints = [](const std::string& text, const RenderSettings& settings = {}) {
     const Example example(camera + text);
@@ -217,13 +217,13 @@ TEST(Check, EveryRenderHintsAtLampsCoincidentSurfacesAndEnclosedLights) {
   EXPECT_FALSE(Has(hints(white + glowing + floor + lamp, solids), "default lights"));
   EXPECT_TRUE(Has(hints(white + glowing + floor + "point_light 1 1 1  0 3 0  1 0 0 sphere 0 0 3 0 .5"),
                   "is inside a shape that no light leaves"));
-  // A lamp in the plane of a ceiling, where the camera does not look.
+  // A lamp in the plane of a ceiling, out of the camera's view.
   const std::string behind = "quad 0 -9 3 30  9 3 30  9 3 50  -9 3 50\nquad 1 -1 3 39  1 3 39  1 3 41  -1 3 41\n";
   EXPECT_TRUE(Has(hints(white + glowing + floor + behind, Of(RenderMode::path)),
                   "example.scn:5:1: warning: this shape lies in one plane"));
 }
 
-TEST(Check, SaysWhereTheDefaultsAreInForce) {
+TEST(Check, ReportsTheDefaultsThatApply) {
   const std::string none = SceneSummary(Example("sphere -1  0 0 0  1\n").TheWorld(), {});
   EXPECT_TRUE(Has(none, " degrees in all (the default: the scene names none)\n")) << none;
   EXPECT_TRUE(Has(none, "lights        2 (the default: the scene names none)\n")) << none;
@@ -239,7 +239,7 @@ TEST(Check, EmissiveShapesReplaceDefaultLightsInModePath) {
   EXPECT_TRUE(Has(whitted, "lights        2 (the default: the scene names none), and 1 shape that emits\n")) << whitted;
 }
 
-TEST(Check, AnEmptySceneIsPointedOut) { EXPECT_TRUE(Has(Example("").Mistakes(), "nothing in the scene")); }
+TEST(Check, AnEmptySceneIsReported) { EXPECT_TRUE(Has(Example("").Mistakes(), "nothing in the scene")); }
 
 TEST(Check, TheWallBehindTheCameraIsNoMistake) {
   const std::string room = "quad -1  -5 -1 12  5 -1 12  5 4 12  -5 4 12\nsphere -1 0 0 0 1\n";
@@ -274,7 +274,7 @@ TEST(Check, TrianglesWoundAgainstTheirNormalsAreCountedAtTheFirst) {
   EXPECT_EQ(Example(camera + "mesh -1 a.obj\n", {{"a.obj", corners + left}}).Mistakes(), "") << "flat";
 }
 
-TEST(Check, TheSummaryCountsWhatIsThere) {
+TEST(Check, TheSummaryCountsTheContents) {
   const Example example(camera +
                         "sphere -1  0 0 0  1\nbegin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\nbox -1 0 0 0 1 1 1\nend\n");
   const std::string summary = SceneSummary(example.TheWorld(), {});
@@ -288,7 +288,7 @@ TEST(Check, PositionsInASmallSceneHaveMoreDecimals) {
   EXPECT_TRUE(Has(summary, "bounds        -0.0001000 -0.0001000 -0.0001000  to  0.0001000")) << summary;
 }
 
-// The published test vectors of the hash, so that another program can check a picture's scene.
+// The published test vectors of the hash, so that another program can check an image's scene.
 TEST(SceneHash, IsFnv1a64) {
   const TemporaryFolder folder;
   EXPECT_EQ(SceneHash(std::vector{WriteFile(folder / "empty", "")}), "cbf29ce484222325");
@@ -296,7 +296,7 @@ TEST(SceneHash, IsFnv1a64) {
   EXPECT_EQ(SceneHash(std::vector{WriteFile(folder / "foobar", "foobar")}), "85944171f73967e8");
 }
 
-TEST(SceneHash, GoesOverAllFilesAndEveryByte) {
+TEST(SceneHash, CoversAllFilesAndEveryByte) {
   const TemporaryFolder folder;
   const std::string foo = WriteFile(folder / "foo", "foo"), bar = WriteFile(folder / "bar", "bar");
   EXPECT_EQ(SceneHash(std::vector{foo, bar}), "85944171f73967e8");
@@ -306,7 +306,7 @@ TEST(SceneHash, GoesOverAllFilesAndEveryByte) {
   EXPECT_NE(SceneHash(std::vector{folder / "long"}), before);
 }
 
-TEST(Check, ColorsOfBytesArePointedOut) {
+TEST(Check, ColorsInBytesAreReported) {
   const auto mistakes = [](const std::string& kd) {
     return Example(camera + "material 0 0 0  " + kd + "  0 0 0  0 0 0  0 0 0  10 1 0\nsphere 0  0 0 0  1\n").Mistakes();
   };

@@ -19,7 +19,7 @@ RenderSettings InMode(RenderMode mode) {
 }
 const RenderSettings whitted = InMode(RenderMode::whitted), path = InMode(RenderMode::path);
 
-/// What is said of a scene, one a line.
+/// Returns the findings about a scene, one per line.
 std::string SaidOf(const std::string& text, const RenderSettings& settings) {
   const project::Stage stage(project::FromText(text));
   std::string all;
@@ -27,15 +27,15 @@ std::string SaidOf(const std::string& text, const RenderSettings& settings) {
   return all;
 }
 
-/// No light but lamps; material 0 emits 3, material 1 is white.
+/// No light except lamps; material 0 emits 3, material 1 is white.
 const std::string lamps_alone =
     "point_light 0 0 0  0 9 0  1 0 0 material 0 0 0  0 0 0  0 0 0  0 0 0  3 3 3  1 1 0 "
     "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0 ";
-const std::string grain = "sphere 1  0 0 0  1e-3 ";  // to be lit
+const std::string grain = "sphere 1  0 0 0  1e-3 ";  // a surface to be lit
 const std::string half_a_unit = "tri 0  0 10 0  1 10 0  0 10 1 ";
 
 TEST(LampCheck, ModePathWeakensLampsByTheirSolidAngle) {
-  // A / (pi d^2), a tenth of a percent less for the corners that are farther away.
+  // A / (pi d^2), a tenth of a percent less since the corners are farther away.
   const std::string said =
       "scene.scn:1:155: warning: lamps light the scene about 630 times as strongly in mode whitted, "
       "where each has its full color at any size and distance, as in mode path, where "
@@ -48,8 +48,8 @@ TEST(LampCheck, ModePathWeakensLampsByTheirSolidAngle) {
       Has(SaidOf(lamps_alone + grain + "tri 0  0 1e6 0  1 1e6 0  0 1e6 1", path), " more than a million times"));
 }
 
-// A sphere that looks as large as a cone of half angle a shows a surface 2 (1 - cos a) of its radiance.
-TEST(LampCheck, TheModesDifferFromAFactorOfTwoOn) {
+// A sphere that appears as large as a cone of half angle a shows a surface 2 (1 - cos a) of its radiance.
+TEST(LampCheck, TheModesDifferIfTheFactorIsTwoOrMore) {
   for (const double factor : {1.5, 1.98, 2.02, 3.}) {
     const double cosine = 1 - 1 / (2 * factor), radius = 10 * std::sqrt(1 - cosine * cosine);
     for (RenderSettings settings : {whitted, path}) {
@@ -77,7 +77,7 @@ TEST(LampCheck, IsSilentWhereOtherLightDominatesOrEmissionIsColor) {
     EXPECT_EQ(SaidOf(lamps_alone + grain + half_a_unit, InMode(mode)), "");
 }
 
-TEST(LampCheck, WhereNothingIsToBeLitNothingIsSaid) {
+TEST(LampCheck, WithoutSurfacesToLightNothingIsReported) {
   const std::string glass = "material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  1 1.5 0 sphere 2  0 0 0  1 ";
   for (const RenderSettings& settings : {whitted, path}) {
     EXPECT_EQ(SaidOf(lamps_alone + half_a_unit, settings), "");
@@ -88,7 +88,7 @@ TEST(LampCheck, WhereNothingIsToBeLitNothingIsSaid) {
   }
 }
 
-TEST(LampCheck, SolidsThatLightInModePathAloneAreToldThere) {
+TEST(LampCheck, SolidsThatLightInModePathOnlyAreReported) {
   const std::string lamp = "sphere 0  0 2 0  1 ";
   EXPECT_TRUE(Has(SaidOf(lamps_alone + grain + lamp, path),
                   "emissive solids light the scene in mode path only; with -emissive_solids on they do in mode "
@@ -109,7 +109,7 @@ TEST(LampCheck, ABackgroundInModePathIsNotTakenForLamps) {
   EXPECT_EQ(SaidOf(lamps_alone + grain + wide_lamp + faint_plane + "background 3.5 3.5 3.5", path), "");
 }
 
-TEST(LampCheck, DefaultLightsThatShineInModeWhittedAloneAreTold) {
+TEST(LampCheck, DefaultLightsThatShineInModeWhittedOnlyAreReported) {
   const std::string no_light = lamps_alone.substr(lamps_alone.find("material"));
   for (const RenderSettings& settings : {whitted, path}) {
     const std::string found = SaidOf(no_light + grain + "sphere 0  0 10 0  1", settings);
@@ -118,7 +118,7 @@ TEST(LampCheck, DefaultLightsThatShineInModeWhittedAloneAreTold) {
   }
 }
 
-TEST(LampCheck, AMeshOfManyLampsIsPointedOut) {
+TEST(LampCheck, AMeshOfManyLampsIsReported) {
   const TemporaryFolder folder;
   WriteFile(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\n");
   const std::string text = "dir_light 1e6 1e6 1e6  0 -1 0\nmaterial 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  1 1 0\n";

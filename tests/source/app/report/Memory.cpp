@@ -48,17 +48,17 @@ TEST(Memory, ATinyLimitIsNotShownAsZero) {
   const Scene nothing;
   const World world(nothing);
   try {
-    CheckMemory(world, PictureBytes({}, {}, false), 1e-8);
+    CheckMemory(world, ImageBytes({}, {}, false), 1e-8);
     FAIL() << "it was allowed";
   } catch (const UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("more than the limit of 10 bytes:"), std::string::npos) << error.what();
   }
 }
 
-// The oracle is the system's own count of what the process held.
-TEST(Extremes, K13_APictureTakesNoMoreThanItsEstimate) {
+// The system's own count of the process's memory is the oracle.
+TEST(Extremes, K13_AnImageTakesNoMoreThanItsEstimate) {
   NEEDS_THE_PROGRAM();
-  NEEDS_NO_SANITIZER("what is freed is kept, and every byte has notes beside it");
+  NEEDS_NO_SANITIZER("freed memory is kept, and every byte has shadow memory");
   const Place place;
   const std::int64_t none = PeakOf(place, {"-width", "8", "-height", "8"});
   for (const auto& [filter, kind] : {std::pair{"box", FilterKind::box}, {"lanczos", FilterKind::lanczos}}) {
@@ -66,9 +66,9 @@ TEST(Extremes, K13_APictureTakesNoMoreThanItsEstimate) {
     render.width = render.height = 1500;
     render.filter = kind;
     const List words{"-width", "1500", "-height", "1500", "-samples", "2", "-filter", filter};
-    const std::int64_t estimate = PictureBytes(render, {}, false), measured = PeakOf(place, words) - none;
+    const std::int64_t estimate = ImageBytes(render, {}, false), measured = PeakOf(place, words) - none;
     EXPECT_LE(measured, estimate) << filter;
-    EXPECT_GE(2 * measured, estimate) << filter;  // nor is more refused than has to be
+    EXPECT_GE(2 * measured, estimate) << filter;  // and the estimate refuses no more than necessary
   }
 }
 

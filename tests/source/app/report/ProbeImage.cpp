@@ -17,7 +17,7 @@ constexpr const char* soft =
     "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1 1 0\n"
     "box 0  -4 -.1 -4  4 0 4\nsphere 0  0 .8 0  .8\n";
 
-/// The scene and a structure to trace it with.
+/// The scene and an acceleration structure for it.
 struct Subject {
   project::Stage stage{project::FromText(soft)};
   const World& world = stage.world;
@@ -55,7 +55,7 @@ TEST(SquaresToProbe, SmallOrNarrowImagesAreProbedAsAWhole) {
     EXPECT_EQ(SquaresToProbe(image, 32, 16), std::vector{image});
 }
 
-// The schedule, the estimate and its interval are those of the render, with a wide filter and in a crop too.
+// The schedule, the estimate and its interval equal those of the render, with a wide filter and in a crop too.
 TEST(ProbeToError, OfTheWholeImageIsTheRender) {
   const Subject subject;
   for (const FilterKind filter : {FilterKind::box, FilterKind::mitchell})
@@ -71,14 +71,14 @@ TEST(ProbeToError, OfTheWholeImageIsTheRender) {
       EXPECT_NEAR(probe.passes.back().samples, result.samples.mean, 1e-9);
       EXPECT_NEAR(probe.passes.back().error->estimate, result.error->estimate, 1e-3 * result.error->estimate);
       EXPECT_NEAR(probe.passes.back().error->high, result.error->high, 1e-3 * result.error->high);
-      EXPECT_NEAR(probe.light, MeanOf(result.image), 1e-5) << "as far as floats of both parts tell";
+      EXPECT_NEAR(probe.light, MeanOf(result.image), 1e-5) << "to the precision of the floats of both parts";
       const Probe::Arrival arrival = probe.ArrivalAt(target);
       EXPECT_EQ(arrival.samples, probe.passes.back().samples);
       EXPECT_EQ(arrival.seconds, probe.passes.back().seconds);
     }
 }
 
-// A quarter of the blocks tells what all do: a few percent of the error at 16 samples, by the spread between squares.
+// A quarter of the blocks predicts the error at 16 samples to a few percent, from the spread between squares.
 TEST(ProbeToError, SquaresStandForTheImage) {
   const Subject subject;
   RenderSettings settings = Settings(192, 192, {1e-9, ErrorUnit::display});
@@ -91,7 +91,7 @@ TEST(ProbeToError, SquaresStandForTheImage) {
   EXPECT_TRUE(std::isinf(probe.ArrivalAt(*settings.budget.error).samples)) << "16 samples do not reach it";
 }
 
-TEST(ProbeToError, MeasuresAnErrorHoweverLittleTimeThereIs) {
+TEST(ProbeToError, MeasuresAnErrorInAnyTime) {
   const Subject subject;
   const ErrorTarget target{0.01, ErrorUnit::display};
   const Probe probe = Probed(subject, Settings(96, 96, target), SquaresToProbe({0, 0, 96, 96}, 16, 4), 0);
@@ -102,7 +102,7 @@ TEST(ProbeToError, MeasuresAnErrorHoweverLittleTimeThereIs) {
   EXPECT_GT(arrival.seconds, probe.passes.back().seconds);
 }
 
-TEST(ProbeDenoised, OfTheWholeImageLeavesWhatTheRenderDoes) {
+TEST(ProbeDenoised, OfTheWholeImageLeavesTheErrorOfTheRender) {
   const Subject subject;
   const ErrorTarget target{1.2, ErrorUnit::display};
   RenderSettings settings = Settings(56, 44, target);

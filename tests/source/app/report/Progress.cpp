@@ -5,18 +5,18 @@
 namespace ray {
 namespace {
 
-TEST(Progress, TellsPercentTimeLeftAndSpeed) {
+TEST(Progress, ShowsPercentTimeLeftAndSpeed) {
   EXPECT_EQ(ProgressText({.done = 42, .total = 100, .rays = 30'000'000}, 10), " 42%  0:14 left  3.0 Mrays/s");
   EXPECT_EQ(ProgressText({.done = 0, .total = 7, .rays = 0}, 0), "  0%");
   EXPECT_EQ(ProgressText({.done = 7, .total = 7, .rays = 0}, 1), "100%  0:00 left  0.0 Mrays/s");
 }
 
-TEST(Progress, OfWhatComesAfterTheSamplesItNamesTheWork) {
+TEST(Progress, NamesTheWorkAfterTheSamples) {
   EXPECT_EQ(ProgressText({1, 4, 0, RenderPhase::guides}, 2), " 25%  0:06 left  gathering guides");
   EXPECT_EQ(ProgressText({3, 4, 0, RenderPhase::filters}, 3), " 75%  0:01 left  denoising");
 }
 
-TEST(Progress, IsNeverTooSoonAHundred) {
+TEST(Progress, ReachesAHundredOnlyAtTheEnd) {
   EXPECT_TRUE(ProgressText({.done = 999'999, .total = 1'000'000, .rays = 0}, 1).starts_with(" 99%"));
 }
 

@@ -5,8 +5,8 @@
 namespace ray {
 namespace {
 
-// Light that is cut off darkens a picture; shares of samples that follow its noise do not.
-TEST(RunStats, WhatDarkensIsToldApartFromOtherBias) {
+// Light that is cut off darkens an image; shares of samples that follow its noise do not.
+TEST(RunStats, LostLightIsDistinguishedFromOtherBias) {
   RunStats stats;
   stats.options.render.budget.error = ErrorTarget{2, ErrorUnit::display};
   stats.share_cut = 0.02;

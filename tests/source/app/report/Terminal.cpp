@@ -19,13 +19,13 @@ TEST(Terminal, ColorsErrorsWarningsAndCarets) {
   EXPECT_EQ(ColoredFailure("raypro: -width must be"), "\033[1;31mraypro:\033[0m -width must be");
 }
 
-/// Both ends of a terminal that nobody looks at.
+/// Both ends of a pseudoterminal.
 class PseudoTerminal {
  public:
   PseudoTerminal() : descriptor_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
     if (descriptor_ < 0 || grantpt(descriptor_) != 0 || unlockpt(descriptor_) != 0) return;
     name_ = ptsname(descriptor_);
-    other_end_ = open(name_.c_str(), O_RDWR | O_NOCTTY);  // else what is written is gone with its writer
+    other_end_ = open(name_.c_str(), O_RDWR | O_NOCTTY);  // otherwise written text is lost with its writer
   }
   ~PseudoTerminal() {
     close(other_end_);

@@ -8,7 +8,7 @@
 
 namespace ray {
 
-/// A document that is no file.
+/// A document from text.
 struct Read {
   enum class Language { yaml, json };
 
@@ -31,7 +31,7 @@ struct Read {
   std::optional<TextPlaces> places;
   Report report;
   std::optional<Document> document;
-  std::string message;  // of what is wrong; empty if nothing is
+  std::string message;  // the error; empty if there is none
 };
 
 inline Read Json(const std::string& bytes) { return {Read::Language::json, bytes}; }
@@ -44,7 +44,8 @@ inline std::string Repeated(const std::string& text, std::size_t times) {
   return all;
 }
 
-/// A value on one line: mappings in braces, lists in brackets, "-" for nothing. Depth is within the document's limit.
+/// Returns a value on one line: mappings in braces, lists in brackets, "-" for nothing. Depth is within the document's
+/// limit.
 inline std::string Written(const Value& value) {
   if (value.kind == Value::Kind::null) return "-";
   if (value.kind == Value::Kind::scalar) return value.is_quoted ? "'" + value.scalar + "'" : value.scalar;

@@ -7,7 +7,7 @@
 namespace ray {
 namespace {
 
-TEST(JsonDocument, HoldsWhatTheTextSays) {
+TEST(JsonDocument, ContainsTheValuesOfTheText) {
   const Read read = Json(R"({"a": [1, -2.5e3, "x", true, null], "b": {"c": {}}, "": []})");
   EXPECT_EQ(Written(read.Root()), "{a:[1 -2.5e3 'x' true -] b:{c:{}} :[]}");
 }
@@ -16,8 +16,8 @@ TEST(JsonDocument, EscapesAreReadInKeysAndStrings) {
   EXPECT_EQ(Written(Json(R"({"\u00e9\"": "\\\u0041\n"})").Root()), "{\xC3\xA9\":'\\A\n'}");
 }
 
-// The library tells no places; a caret under the wrong word would send its reader astray.
-TEST(JsonDocument, EveryValueAndKeyKnowsItsPlace) {
+// The library reports no positions; a caret under the wrong word would mislead the reader.
+TEST(JsonDocument, EveryValueAndKeyHasItsPosition) {
   const Read read = Json("\xEF\xBB\xBF{\r\n\t\"a\" : [ 1,\"\\\"]\" , -2.5 ],\r\n  \"\xC3\xA9\\\"\":{\"b\":null}\r\n}");
   const auto& root = read.Root().Entries();
   const auto place = [&](const Extent& extent) {
@@ -52,7 +52,7 @@ TEST(JsonDocument, AsManyLevelsAsTheLimitAreRead) {
                        "a.json:1:101: error: nested deeper than 100 levels"));
 }
 
-// Whatever recursed over a million levels would overflow the stack.
+// Code that recursed over a million levels would overflow the stack.
 TEST(JsonDocument, AMillionLevelsAreRefusedAtOnce) {
   for (const char* level : {"[", "{\"a\":"}) {
     const std::clock_t start = std::clock();
@@ -61,13 +61,13 @@ TEST(JsonDocument, AMillionLevelsAreRefusedAtOnce) {
   }
 }
 
-TEST(JsonDocument, AMistakeIsShownWhereItStands) {
+TEST(JsonDocument, AMistakeIsShownAtItsPosition) {
   EXPECT_EQ(Json("[1,\n 2,,3]").message,
             "a.json:2:4: error: unexpected ','; expected '[', '{', or a literal\n"
             "    2 |  2,,3]\n"
             "      |    ^");
   EXPECT_TRUE(Contains(Json("{\"a\": 1,}").message, "a.json:1:9: error: unexpected '}'; expected string literal"));
-  EXPECT_TRUE(Contains(Json("{\"a\": 1,}").message, "a comma too many before it"));
+  EXPECT_TRUE(Contains(Json("{\"a\": 1,}").message, "there is an extra comma before it"));
   EXPECT_TRUE(Contains(Json("{\"a\" 1}").message, "a.json:1:6: error: unexpected number literal; expected ':'"));
   EXPECT_TRUE(Contains(Json("[1, # x\n]").message, "JSON has no comments"));
   EXPECT_TRUE(Contains(Json("['a']").message, "JSON takes double quotes only"));
@@ -77,19 +77,19 @@ TEST(JsonDocument, AMistakeIsShownWhereItStands) {
   EXPECT_TRUE(Contains(Json("[\"a\xFF\"]").message, "a.json:1:4: error: invalid string: ill-formed UTF-8 byte"));
 }
 
-TEST(JsonDocument, WhatNoTextHoldsIsRefused) {
+TEST(JsonDocument, CharactersThatAreNotTextAreRefused) {
   EXPECT_TRUE(Contains(Json(std::string("[1,\0 2]", 7)).message, "a.json:1:4: error: control character \\x00"));
   EXPECT_TRUE(Contains(Json("\xFF\xFE[").message, "a.json: error: the file is UTF-16; save it as UTF-8"));
 }
 
-TEST(JsonDocument, ANumberThatNoDoubleHoldsIsRefused) {
+TEST(JsonDocument, ANumberBeyondDoublesIsRefused) {
   EXPECT_EQ(Json("{\"a\": [1, -1e999]}").message,
             "a.json:1:11: error: a number must fit a double, whose largest is 1.8e308\n"
             "    1 | {\"a\": [1, -1e999]}\n"
             "      |           ^~~~~~");
 }
 
-TEST(JsonDocument, EveryKeyGivenTwiceIsTold) {
+TEST(JsonDocument, EveryDuplicateKeyIsReported) {
   const Read read = Json("{\"a\": 1,\n \"b\": {\"c\": 1, \"c\": 2},\n \"a\": 3}");
   EXPECT_EQ(Written(read.Root()), "{b:{c:2} a:3}");
   EXPECT_EQ(read.report.Warnings(),
@@ -98,7 +98,7 @@ TEST(JsonDocument, EveryKeyGivenTwiceIsTold) {
                 "a.json:3:2: warning: duplicate key 'a', already given in line 1; the last one counts"}));
 }
 
-// Asked for in the middle of a long line, as the one line of a file that a program wrote is.
+// Queried in the middle of a long line, like the only line of a file that a program wrote.
 TEST(TextPlaces, CountsCharactersFromTheLinesBeginning) {
   const Text text{"a", "\xEF\xBB\xBF" + Repeated("\xC3\xA9", 10'000) + "\r\n" + Repeated("x", 10'000) + "\ry"};
   const TextPlaces places(text);

@@ -54,7 +54,7 @@ TEST(Mapping, TakesEveryWordForTrueAndFalse) {
     Reading("{\"a\": " + std::string(no) + "}", [&](Mapping& m) { EXPECT_FALSE(m.Bool({"a"}, true)) << no; });
 }
 
-TEST(Mapping, TellsOfEveryMistakeWithItsPath) {
+TEST(Mapping, ReportsEveryMistakeWithItsPath) {
   const Heard heard =
       Reading("{\"radius\": -1,\n\"center\": [1, 2],\n\"color\": [0, \"x\", -1],\n\"on\": 2,\n\"count\": 1.5}",
               [](Mapping& ball) {
@@ -104,7 +104,7 @@ TEST(Mapping, WarnsOnceOfEachUnknownKey) {
                 "a.json:1:47: warning: unknown key 'z' in a ball is ignored"}));
 }
 
-TEST(Mapping, TwoNamesOfOneThingAreAMistake) {
+TEST(Mapping, TwoNamesOfOneKeyAreAMistake) {
   const Heard heard = Reading("{\"center\": 1, \"position\": 2}", [](Mapping& m) {
     m.Number({"position", "center"}, any_number, 0);
   });

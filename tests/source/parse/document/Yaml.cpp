@@ -9,14 +9,14 @@ namespace {
 
 #ifdef RAYPRO_YAML
 
-TEST(YamlDocument, HoldsWhatTheTextSays) {
+TEST(YamlDocument, ContainsTheValuesOfTheText) {
   EXPECT_EQ(
       Written(
           Yaml("# remark\n---\na: [1, -2.5, x y, true]\nb:\n- c: 1\n  d: {e: 'f', \"g\": ~}\n-\n  - 2\nh:\n").Root()),
       "{a:[1 -2.5 x y true] b:[{c:1 d:{e:'f' g:-}} [2]] h:-}");
 }
 
-TEST(YamlDocument, EveryValueAndKeyKnowsItsPlace) {
+TEST(YamlDocument, EveryValueAndKeyHasItsPosition) {
   const Read read =
       Yaml("\xEF\xBB\xBF# \xC3\xA9\r\na: \xC3\xA9\xC3\xA9\r\nb: {\xC3\xA9: &x \"q\\\"r\", c: 'it''s'}\r\n- d\r\n");
   EXPECT_TRUE(Contains(read.message, "a.yaml:4:1: error: this line does not fit the indentation"));
@@ -34,12 +34,12 @@ TEST(YamlDocument, EveryValueAndKeyKnowsItsPlace) {
   EXPECT_EQ(place(root[1].value.Entries()[1].value.extent), "3:22 'it''s'");
 }
 
-TEST(YamlDocument, WhatIsAbsentIsSaidToBeAtItsKey) {
+TEST(YamlDocument, AnAbsentValueIsReportedAtItsKey) {
   const Read read = Yaml("a: 1\nb:\nc: 2\n");
   EXPECT_EQ(read.places->At(read.Root().Entries()[1].value.extent).line, 2u);
 }
 
-TEST(YamlDocument, AnAliasStandsForWhatItsAnchorNames) {
+TEST(YamlDocument, AnAliasStandsForTheValueOfItsAnchor) {
   const Read read = Yaml("a: &x {k: [1, 2]}\nb: *x\nc: [&y z, *y]\n");
   EXPECT_EQ(Written(read.Root()), "{a:{k:[1 2]} b:{k:[1 2]} c:[z z]}");
   const Value& copy = read.Root().Entries()[1].value;
@@ -68,8 +68,9 @@ TEST(YamlDocument, AliasesCannotNestDeeperThanText) {
 }
 
 TEST(YamlDocument, AnAliasWithinItsOwnAnchorIsRefused) {
-  EXPECT_TRUE(Contains(Yaml("a: &x [1, *x]").message, "a.yaml:1:11: error: this alias is inside of what it repeats"));
-  EXPECT_TRUE(Contains(Yaml("a: *x").message, "a.yaml:1:4: error: no anchor of that name stands before this alias"));
+  EXPECT_TRUE(
+      Contains(Yaml("a: &x [1, *x]").message, "a.yaml:1:11: error: this alias is inside the value that it repeats"));
+  EXPECT_TRUE(Contains(Yaml("a: *x").message, "a.yaml:1:4: error: no anchor with that name precedes this alias"));
 }
 
 TEST(YamlDocument, AMillionLevelsAreRefused) {
@@ -89,19 +90,19 @@ TEST(YamlDocument, AFileThatWouldTakeAllMemoryIsRefused) {
             "a.yaml: error: the file exceeds the limit of 32 MiB for YAML");
 }
 
-TEST(YamlDocument, AMistakeIsShownWhereItStands) {
+TEST(YamlDocument, AMistakeIsShownAtItsPosition) {
   EXPECT_EQ(Yaml("a:\n\tb: 1\n").message,
             "a.yaml:2:3: error: tab in the indentation\n"
             "    2 | \tb: 1\n"
-            "      | \t ^ YAML takes spaces only");
+            "      | \t ^ YAML allows only spaces");
   EXPECT_TRUE(Contains(Yaml("a: [1,\n 2\nb: 3\n").message, "a ']' is missing before this"));
   EXPECT_TRUE(Contains(Yaml("a: [1,\n 2\nb: 3\n").message, "opened in line 1"));
   EXPECT_TRUE(Contains(Yaml("a: b: c").message, "a.yaml:1:5: error: unexpected ':'"));
-  EXPECT_TRUE(Contains(Yaml("a: \"x\nb: 2\n").message, "a.yaml:1:4: error: this quotation never ends"));
-  EXPECT_TRUE(Contains(Yaml("a: 'it''s\nb: 2\n").message, "a.yaml:1:4: error: this quotation never ends"));
+  EXPECT_TRUE(Contains(Yaml("a: \"x\nb: 2\n").message, "a.yaml:1:4: error: this quoted text is not closed"));
+  EXPECT_TRUE(Contains(Yaml("a: 'it''s\nb: 2\n").message, "a.yaml:1:4: error: this quoted text is not closed"));
 }
 
-TEST(YamlDocument, WhatHasNoMeaningInScenesIsRefused) {
+TEST(YamlDocument, UnsupportedSyntaxIsRefused) {
   EXPECT_TRUE(Contains(Yaml("a: !mine 1").message, "a.yaml:1:4: error: tags have no meaning in scenes"));
   EXPECT_TRUE(Contains(Yaml("a: !!python/object {}").message, "tags have no meaning in scenes"));
   EXPECT_TRUE(Contains(Yaml("? [1]\n: 2\n").message, "a key must be a word, not a list"));
@@ -109,12 +110,12 @@ TEST(YamlDocument, WhatHasNoMeaningInScenesIsRefused) {
   EXPECT_TRUE(Contains(Yaml(std::string("a: \0", 4)).message, "a.yaml:1:4: error: control character \\x00"));
 }
 
-// yaml-cpp takes this byte for the end of its stream.
+// yaml-cpp treats this byte as the end of its stream.
 TEST(YamlDocument, NothingBehindAControlCharacterIsLost) {
   EXPECT_TRUE(Contains(Yaml("a: 1\n\x04\nb: 2\n").message, "a.yaml:2:1: error: control character \\x04"));
 }
 
-TEST(YamlDocument, EveryKeyGivenTwiceIsTold) {
+TEST(YamlDocument, EveryDuplicateKeyIsReported) {
   const Read read = Yaml("a: 1\nb: 2\na: 3\na: 4\n");
   EXPECT_EQ(Written(read.Root()), "{a:1 b:2}");
   EXPECT_EQ(read.report.Warnings(),
@@ -149,13 +150,13 @@ TEST(YamlDocument, ASecondDocumentIsIgnoredWithAWarning) {
   EXPECT_EQ(read.report.Warnings(), std::vector<std::string>{"a.yaml:3:1: warning: a second document is ignored"});
 }
 
-TEST(YamlDocument, AnEmptyFileHoldsNothing) {
+TEST(YamlDocument, AnEmptyFileHasNoValue) {
   for (const char* bytes : {"", "# remark\n", "---\n", "~"}) EXPECT_EQ(Written(Yaml(bytes).Root()), "-") << bytes;
 }
 
 #else
 
-TEST(YamlDocument, SaysWhatToInstallWhereItCannotBeRead) {
+TEST(YamlDocument, StatesWhatToInstallIfItCannotBeRead) {
   EXPECT_EQ(Yaml("a: 1").message,
             "a.yaml: error: this program was built without YAML; install libyaml-cpp-dev and build it again");
 }

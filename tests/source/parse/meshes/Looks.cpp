@@ -1,4 +1,4 @@
-// Files that are found under the names of meshes and are none. files/looks/make.sh wrote them with other programs.
+// Files with the names of meshes that are not meshes. files/looks/make.sh wrote them with other programs.
 
 #include <gtest/gtest.h>
 
@@ -60,13 +60,13 @@ TEST(Looks, AnObjFileWithoutVerticesIsAnError) {
             "a.obj:1:1: error: not one line defines a vertex in OBJ; unknown statement 'A'\n"
             "    1 | A cube.\n      | ^");
   EXPECT_EQ(error("a.ray", "A cube.\n"),
-            "a.ray:1:1: error: a .ray file holds commands such as #vertex; this one begins with 'A'\n"
+            "a.ray:1:1: error: a .ray file contains commands such as #vertex; this one begins with 'A'\n"
             "    1 | A cube.\n      | ^");
   EXPECT_EQ(error("a.ray", ""), "(none)");
   EXPECT_EQ(error("a.obj", "g empty\n"), "(none)");
 }
 
-TEST(Looks, StatementsOfObjThatAreNotSeenAreCounted) {
+TEST(Looks, InvisibleStatementsOfObjAreCounted) {
   Report report;
   const std::string text =
       "o a\ng b\ns off\nv 0 0 0\nv 1 0 0\nv 0 1 0\nfo 1 2 3\nl 1 2\nl 2 3\np 1\ncstype bezier\ncurv 0 1 1 2\nend\n"

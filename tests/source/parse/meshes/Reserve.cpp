@@ -1,4 +1,4 @@
-// How much room readers make for what the header of a mesh file declares.
+// The memory that readers reserve for the declarations in the header of a mesh file.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ TEST(MeshReserve, DeclaredTrianglesGetTheirRoomOnce) {
   EXPECT_TRUE(data.lines.empty());  // a binary file has none
 }
 
-TEST(MeshReserve, FacesThatHoldNoTriangleGetNoRoom) {
+TEST(MeshReserve, FacesWithoutATriangleGetNoRoom) {
   const R3::MeshData data = MeshOfBytes("a.ply", BinaryPly(100'000, {"\0", 1})).data;
   EXPECT_EQ(data.triangles.size(), 0u);
   EXPECT_LE(data.triangles.capacity(), 100'000u / 4);

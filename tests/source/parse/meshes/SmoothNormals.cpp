@@ -16,7 +16,7 @@ R3::MeshData Cube(bool shares_vertices) {
   data.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
                     {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
   if (shares_vertices) return data;
-  R3::MeshData split;  // as STL has it
+  R3::MeshData split;  // as in STL
   for (const auto& t : data.triangles) {
     const auto first = static_cast<std::uint32_t>(split.positions.size());
     for (const std::uint32_t i : t) split.positions.push_back(data.positions[i]);
@@ -88,7 +88,7 @@ TEST(SmoothNormals, TextureCoordinatesAndColorsStayWhereTheyAre) {
 const std::string roof =  // two slopes of 45 degrees that meet at x = 0
     "v -1 0 0\nv 0 1 0\nv 0 1 1\nv -1 0 1\nv 1 0 0\nv 1 0 1\n";
 
-/// The shading normals at the first corner of each triangle at x = 0.
+/// Returns the shading normals at the first corner of each triangle at x = 0.
 R3::MeshData Roof(const std::string& faces, const std::string& how) {
   const Folder folder;
   folder.Write("roof.obj", roof + faces);

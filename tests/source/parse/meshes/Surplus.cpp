@@ -1,5 +1,5 @@
-// Numbers that what a mesh file declares cannot hold. Dropping them would shift all that follows, and half a mesh be
-// drawn.
+// Numbers in excess of the declarations in a mesh file. Dropping them would shift everything that follows, and only
+// half a mesh would be drawn.
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(Surplus, ExtraOffVertexNumbersAreWarningsWhenNothingIsMissing) {
 }
 
 TEST(Surplus, ExtraOffVertexNumbersAreErrorsWhenFacesAreMissing) {
-  // Two lines of vertices would count as one vertex each, and what is left would be half the faces.
+  // Two lines of vertices would count as one vertex each, and the rest would be half the faces.
   const std::string vertices = "0 0 0 7\n1 0 0 7\n1 1 0 7\n0 1 0 7\n";
   const std::string hint = "the header declares 3 numbers for each vertex, but there are lines with more";
   EXPECT_EQ(MeshErrorOf("a.off", "OFF\n4 2 0\n" + vertices + "3 0 1 2\n"),
@@ -60,7 +60,7 @@ TEST(Surplus, ExtraOffVertexNumbersAreErrorsWhenFacesAreMissing) {
 TEST(Surplus, TwoOffFacesOnALineAreAnError) {
   const std::string vertices = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
   const std::string lacks =
-      "the header declares 2 faces, but the file has 1; what follows a face on its line is taken as a color";
+      "the header declares 2 faces, but the file has 1; numbers after a face on its line are read as its color";
   EXPECT_EQ(MeshErrorOf("a.off", vertices + "3 0 1 2  3 0 2 3\n"), "a.off:7:10: " + lacks);
   EXPECT_EQ(MeshErrorOf("a.off", vertices + "4 0 1 2 3  4 0 1 2 3\n"), "a.off:7:12: " + lacks);
   EXPECT_EQ(MeshErrorOf("a.off", vertices + "3 0 1 2  255 0 0 255\n"), "(none)")
@@ -69,7 +69,7 @@ TEST(Surplus, TwoOffFacesOnALineAreAnError) {
   EXPECT_EQ(read.data.triangles.size(), 2u);
   EXPECT_EQ(read.warnings,
             std::vector<std::string>{
-                "a.off:7:9: warning: 1 face has ignored numbers behind its corners, more than a color has"});
+                "a.off:7:9: warning: 1 face has ignored numbers after its corners, more than a color has"});
 }
 
 TEST(Surplus, ExtraPlyVertexNumbersAreErrors) {
@@ -101,9 +101,9 @@ TEST(Surplus, ExtraPlyFaceNumbersAreIgnoredWithAWarning) {
   const auto read = MeshOfBytes("a.ply", ply_header + vertices + "3 0 1 2 .599829\n3 0 2 3 .25\n");
   EXPECT_EQ(read.data.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}}));
   EXPECT_EQ(read.warnings,
-            std::vector<std::string>{"a.ply:14:9: warning: 2 faces have ignored numbers behind those that the header "
+            std::vector<std::string>{"a.ply:14:9: warning: 2 faces have ignored numbers after those that the header "
                                      "declares, the first of them here"});
-  // Where they lack, the list may begin elsewhere.
+  // If they are missing, the list may begin elsewhere.
   const std::string flags =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 1\nproperty int flags\nproperty list uchar int vertex_indices\nend_header\n";
@@ -111,7 +111,7 @@ TEST(Surplus, ExtraPlyFaceNumbersAreIgnoredWithAWarning) {
             "a.ply:14:5: face 0 has more numbers than the header declares; declared: flags, vertex_indices");
 }
 
-TEST(Surplus, ALengthOfAListThatIsNoneIsNamed) {
+TEST(Surplus, AnInvalidListLengthIsNamed) {
   EXPECT_EQ(MeshErrorOf("a.ply", ply_header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n.599829 1 2\n3 0 2 3\n"),
             "a.ply:14:1: face 0: the length of the list vertex_indices must be a whole number, and not negative, got "
             "0.599829");
@@ -133,7 +133,7 @@ TEST(Surplus, StatementsOfObjHaveAsManyNumbersAsTheyMay) {
   const std::string face = "v 0 0 0\nv 1 0 0\nf 1 2 3\n";
   for (const std::string more : {"", " 1", " .5 .5 .5", " 255 128 0 255"})
     EXPECT_EQ(MeshErrorOf("a.obj", "v 0 1 0" + more + "\n" + face), "(none)") << more;
-  const std::string known = "; known are x y z, and behind them a weight w, or a color r g b or r g b a";
+  const std::string known = "; supported: x y z, followed by a weight w, or a color r g b or r g b a";
   EXPECT_EQ(MeshErrorOf("a.obj", "v 0 1 0 1 2\n" + face), "a.obj:1:11: vertex 1 has 5 numbers" + known);
   EXPECT_EQ(MeshErrorOf("a.obj", "v 0 1 0 1 2 3 4 5\n" + face), "a.obj:1:17: vertex 1 has 8 numbers" + known);
   EXPECT_EQ(MeshErrorOf("a.obj", "v 0 1 0 red\n" + face),

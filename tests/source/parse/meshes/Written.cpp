@@ -1,5 +1,5 @@
-// Meshes as other programs write them, and as they become on their way. files/make.py wrote them; what they hold is in
-// files/expected.txt, as the programs named there read them.
+// Meshes as written by other programs, and as they become in transit. files/make.py wrote them; their contents are in
+// files/expected.txt, as read by the programs named there.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ ReadMesh WrittenMesh(const std::string& name) {
   return MeshOfBytes(name, bytes.str());
 }
 
-/// The lines of a table, without comments, as words.
+/// Returns the lines of a table, without comments, as words.
 std::vector<std::vector<std::string>> Table(const std::string& name) {
   std::ifstream file(Files() / name);
   std::vector<std::vector<std::string>> rows;
@@ -34,7 +34,7 @@ std::vector<std::vector<std::string>> Table(const std::string& name) {
   return rows;
 }
 
-/// Triangles, area, least and greatest x y z of what triangles use: the numbers of the table.
+/// Returns triangles, area, smallest and largest x y z of the used vertices: the numbers of the table.
 std::vector<double> NumbersOf(const R3::MeshData& data) {
   double area = 0;
   R3::Box box;
@@ -66,22 +66,22 @@ TEST(WrittenMeshes, EachHasTheTrianglesThatOtherProgramsReadFromIt) {
   }
 }
 
-// A file that is read otherwise than it stands says so, with the place; all others are read without a word.
-TEST(WrittenMeshes, WhatCountsAsAbsentOrIsIgnoredIsTold) {
+// A file that is not read exactly as written causes a warning with the position; all others are read silently.
+TEST(WrittenMeshes, IgnoredDataIsReported) {
   const std::map<std::string, std::string> told{
-      {"ind_normals.obj", "ind_normals.obj:17:13: warning: 4 uses of normals that are not finite count as none"},
-      {"inf_normals.obj", "inf_normals.obj:17:3: warning: 36 uses of normals that are not finite count as none"},
-      {"nan_normals.obj", "nan_normals.obj:17:3: warning: 14 uses of normals that are not finite count as none"},
-      {"nan_normals.ply", "nan_normals.ply:14:15: warning: 8 uses of normals that are not finite count as none"},
+      {"ind_normals.obj", "ind_normals.obj:17:13: warning: 4 uses of normals that are not finite are ignored"},
+      {"inf_normals.obj", "inf_normals.obj:17:3: warning: 36 uses of normals that are not finite are ignored"},
+      {"nan_normals.obj", "nan_normals.obj:17:3: warning: 14 uses of normals that are not finite are ignored"},
+      {"nan_normals.ply", "nan_normals.ply:14:15: warning: 8 uses of normals that are not finite are ignored"},
       {"no_lists.obj", "36 corners have an index of a normal, but the file has none"},
       {"no_normals.obj", "no_normals.obj:9:3: warning: 36 corners have an index of a normal, but the file has none"},
       {"no_uvs.obj", "54 corners have an index of texture coordinates, but the file has none"},
       {"zeros.obj", "zeros.obj:13:3: warning: 60 corners have an index of texture coordinates"},
-      {"trailing.stl", "trailing.stl: warning: 2 bytes behind the last face ignored; the header declares 12 faces"},
-      {"trailing_text.stl", "18 bytes behind the last face ignored"},
-      {"trailing_long.stl", "77 bytes behind the last face ignored"},
-      {"solid_trailing.stl", "2 bytes behind the last face ignored"},
-      {"solid_capitals_trailing.stl", "12 bytes behind the last face ignored"},
+      {"trailing.stl", "trailing.stl: warning: 2 bytes after the last face ignored; the header declares 12 faces"},
+      {"trailing_text.stl", "18 bytes after the last face ignored"},
+      {"trailing_long.stl", "77 bytes after the last face ignored"},
+      {"solid_trailing.stl", "2 bytes after the last face ignored"},
+      {"solid_capitals_trailing.stl", "12 bytes after the last face ignored"},
   };
   for (const auto& row : Table("expected.txt")) {
     std::string all;
@@ -94,7 +94,7 @@ TEST(WrittenMeshes, WhatCountsAsAbsentOrIsIgnoredIsTold) {
   }
 }
 
-// A vertex has one pair of texture coordinates, so that those at the seams between faces are split.
+// A vertex has one pair of texture coordinates, so vertices at seams between faces are split.
 TEST(WrittenMeshes, FacesOfPlyKeepTheirOwnTextureCoordinates) {
   for (const auto& row : Table("texcoords.txt")) {
     const R3::MeshData data = WrittenMesh(row[0]).data;
@@ -117,14 +117,14 @@ TEST(WrittenMeshes, FacesOfPlyKeepTheirOwnTextureCoordinates) {
 }
 
 TEST(WrittenMeshes, CornersOfPlyThatAgreeAreOneVertex) {
-  // MeshLab spread the cone flat, so that every vertex has one pair of texture coordinates.
+  // MeshLab unrolled the cone, so that every vertex has one pair of texture coordinates.
   EXPECT_EQ(WrittenMesh("wedges_flat.ply").data.positions.size(), 11u);
-  // The two quads of the other file share two places with other coordinates.
+  // The two quads of the other file share two positions with different coordinates.
   EXPECT_EQ(WrittenMesh("wedges_quads.ply").data.positions.size(), 8u);
 }
 
 TEST(WrittenMeshes, OffNormalsFollowColorsInFilesFromMeshLab) {
-  // Its corners' normals point away from the box's middle, and are no colors of 0 or 255.
+  // Its corners' normals point away from the box's center, and are not colors of 0 or 255.
   const R3::MeshData data = WrittenMesh("ncst.off").data;
   ASSERT_EQ(data.normals.size(), 8u);
   for (std::size_t i = 0; i < 8; ++i) {

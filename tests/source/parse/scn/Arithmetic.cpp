@@ -15,7 +15,7 @@
 namespace ray {
 namespace {
 
-/// The arguments of the only shape, as they were read.
+/// Returns the arguments of the only shape, as read.
 std::vector<double> NumbersOf(const std::string& text, const std::vector<std::string>& definitions = {}) {
   const Folder folder;
   ParseOptions options;
@@ -24,7 +24,7 @@ std::vector<double> NumbersOf(const std::string& text, const std::vector<std::st
   return parsed.scene.root.children.at(0).shape->MadeFrom()->arguments;
 }
 
-/// A random formula and its value, which is computed beside it.
+/// A random formula and its value, computed independently.
 struct Formula {
   std::string text;
   double value;
@@ -128,7 +128,7 @@ TEST(Arithmetic, NamesOfFilesMayBeginWithAParenthesis) {
 TEST(Arithmetic, WithoutParenthesesAHintShowsThem) {
   for (const std::string word : {"1/2", "2*3", "pi/4", "-2^2", "sqrt(2)", "$r+1"}) {
     const std::string report = ReportOf("define r 3\nsphere -1 0 0 0 " + word + "\n");
-    EXPECT_TRUE(Contains(report, "arithmetic stands in parentheses: (" + word + ")")) << report;
+    EXPECT_TRUE(Contains(report, "arithmetic needs parentheses: (" + word + ")")) << report;
     EXPECT_NO_THROW(ParseText("define r 3\nsphere -1 0 0 (" + word + ") 1\n")) << word;
   }
   for (const std::string word : {"1/0x", "abc/2", "1-2-", "a.obj"})

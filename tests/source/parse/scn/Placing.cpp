@@ -1,4 +1,4 @@
-// Groups and cameras that are placed in words.
+// Groups and cameras that are placed by words.
 #include "source/parse/scn/Placing.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(Placing, EachWordIsAMatrixAndQuarterTurnsAreExact) {
   EXPECT_EQ(Placed("rotate 540 0 1 0"), Placed("-1 0 0 0  0 1 0 0  0 0 -1 0  0 0 0 1"));
 }
 
-// A third of a turn about the diagonal of a cube exchanges its axes.
+// A third of a turn about the diagonal of a cube permutes its axes.
 TEST(Placing, TheAxisOfARotationMayBeAny) {
   const R3::Matrix third = Placed("rotate 120 5 5 5");
   ExpectNear(third * R3::Point{1, 0, 0}, {0, 1, 0});
@@ -50,7 +50,7 @@ TEST(Placing, WordsInARowAreGroupsWithinGroups) {
             (R3::Point{0, 1, -2}));
 }
 
-// Any number of words may place a group, and none is a number too.
+// Any number of words may place a group, including none.
 TEST(Placing, AGroupWithoutWordsStandsWhereItsParentDoes) {
   EXPECT_EQ(Placed(""), R3::Matrix());
   for (const char* scene : {"begin -1 end", "begin -1\nend", "begin -1\n# a comment\n\nmotion 1 0 0 end",

@@ -28,7 +28,7 @@ CameraChange Projected(const std::string& name, std::optional<double> fov = {}) 
   return change;
 }
 
-TEST(Projection, StandsBeforeOrBehindTheCamera) {
+TEST(Projection, MayComeBeforeOrAfterTheCamera) {
   for (const std::string& text : {view + "projection fisheye 220\n", "projection fisheye 220\n" + view}) {
     EXPECT_EQ(CameraOf(text).kind, FindCameraKind("fisheye"));
     EXPECT_EQ(CameraOf(text).extent, 220);
@@ -52,7 +52,7 @@ TEST(Projection, OrthographicViewsMatchThePinholeWidthAtTheMiddle) {
                    2 * std::tan(0.5));
 }
 
-TEST(Projection, OptionsTakeThePlaceOfWhatTheSceneSays) {
+TEST(Projection, OptionsOverrideTheScene) {
   const std::string scene = view + "projection fisheye 220\n";
   EXPECT_EQ(CameraOf(scene, Projected("fisheye")).extent, 220);
   EXPECT_EQ(CameraOf(scene, Projected("cylinder", 300)).extent, 300);
@@ -65,7 +65,7 @@ TEST(Projection, OptionsTakeThePlaceOfWhatTheSceneSays) {
   EXPECT_EQ(CameraOf(scene, moved).extent, 220);
 }
 
-TEST(Projection, AnglesThatItDoesNotHaveAreRefused) {
+TEST(Projection, UnsupportedAnglesAreRefused) {
   const auto refusal = [](const CameraChange& change) { return ReportOf(view, With(change)); };
   EXPECT_EQ(refusal(Projected("", 180)),
             "scene.scn: error: projection pinhole has an angle between 0 and 180 degrees, and -fov is 180");

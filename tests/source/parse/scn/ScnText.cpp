@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The text of a scene as it would be in a folder, its meshes beside it.
+/// Returns the text of a scene as it would be in a folder, with its meshes next to it.
 std::string WrittenTo(const Folder& folder, const std::string& name, const Scene& scene) {
   const ScnText text = WriteScn(scene, folder / name);
   for (const ScnText::Mesh& mesh : text.meshes) folder.Write(mesh.name, mesh.text);
@@ -28,15 +28,15 @@ std::string WrittenTo(const Folder& folder, const std::string& name, const Scene
   return text.text;
 }
 
-/// The image that raypro would render, with what the scene sets, but small.
-R2::Image PictureOf(Scene scene) {
+/// Returns the image that raypro would render, with the scene's settings, but small.
+R2::Image ImageOf(Scene scene) {
   RenderOptions options =
       ReadCommandLine(Program::raypro, std::vector<std::string>{"in.scn", "out.pfm", "-width", "24", "-height", "18"});
   options = WithSettingsOf(scene, options);
   return project::Render(project::Stage(std::move(scene)), options.render).image;
 }
 
-/// Every scene and mesh below a folder that may be absent.
+/// Returns every scene and mesh below a folder, which may be missing.
 std::vector<fs::path> ScenesBelow(const fs::path& folder) {
   std::vector<fs::path> scenes;
   const std::set<std::string> extensions{".scn", ".yaml", ".yml", ".json", ".txt",
@@ -65,7 +65,7 @@ void ExpectTheSameAgain(const fs::path& file) {
   const std::string text = WrittenTo(folder, "once.scn", *scene);
   Scene again = Parse(folder / "once.scn", options).scene;
   EXPECT_EQ(WriteScn(again, folder / "twice.scn").text, text) << file;
-  EXPECT_TRUE(PictureOf(std::move(again)) == PictureOf(std::move(*scene))) << file;
+  EXPECT_TRUE(ImageOf(std::move(again)) == ImageOf(std::move(*scene))) << file;
 }
 
 TEST(ScnText, OfOurScenesGivesTheSameImageAndTextAgain) {
@@ -98,7 +98,7 @@ TEST(ScnText, OfShapesAndLightsKeepsTheirOriginalNumbers) {
   }
 }
 
-TEST(ScnText, SaysEverythingThatTheLanguageHasAWordFor) {
+TEST(ScnText, ExpressesEverythingThatTheLanguageSupports) {
   const Folder folder;
   const std::string text =
       "set max_depth 3\n"
@@ -171,14 +171,14 @@ Scene SceneOf(std::shared_ptr<const R3::Mesh> mesh, Material material = {}) {
   return scene;
 }
 
-TEST(ScnText, AMeshOfNoFileIsTriangles) {
+TEST(ScnText, AMeshWithoutAFileIsTriangles) {
   const ScnText text = WriteScn(SceneOf(std::make_shared<const R3::Mesh>(Fan(false))), "/nowhere/out.scn");
   EXPECT_TRUE(text.meshes.empty());
   EXPECT_TRUE(text.text.ends_with("tri 0 0 0 0 1 0 0 1 1 0.1\ntri 0 0 0 0 1 1 0.1 0 1 0.3\n")) << text.text;
 }
 
-// Made of triangles they would have other texture coordinates, which -mode uv shows.
-TEST(ScnText, QuadsAndPolygonsStayWhatTheyAre) {
+// As triangles they would have other texture coordinates, which -mode uv shows.
+TEST(ScnText, QuadsAndPolygonsStayUnchanged) {
   const std::string lines =
       "quad 0 0 0 0 1 0 0 1 1 0 0 1 0\npolygon 0 4 0 0 0 2 -1 0 0.5 0 0 2 1 0\npolygon 0 3 0 0 0 1 0 0 0 1 0\n";
   const std::string lamp = "material 0 0 0  1 1 1  0 0 0  0 0 0  1 1 1  1 1 0\n";
@@ -187,7 +187,7 @@ TEST(ScnText, QuadsAndPolygonsStayWhatTheyAre) {
   EXPECT_TRUE(text.text.ends_with(lines)) << text.text;
 }
 
-// In mode whitted a quad or polygon is one lamp, however many triangles it is cut into.
+// In mode whitted a quad or polygon is one lamp, however many triangles it is split into.
 TEST(ScnText, AnEmissivePolygonStaysOneLampWhateverItsCorners) {
   const std::string lamp = "material 0 0 0  1 1 1  0 0 0  0 0 0  1 1 1  1 1 0\n";
   std::string ring = "polygon 0 200", one_corner_twice = "polygon 0 5 0 0 0 1 0 0 1 0 0 1 1 0 0 1 0\n";
@@ -201,10 +201,10 @@ TEST(ScnText, AnEmissivePolygonStaysOneLampWhateverItsCorners) {
   EXPECT_EQ(WriteScn(ParseText("material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0\n" + ring).scene, "/nowhere/out.scn")
                 .meshes.size(),
             1u)
-      << "what is no lamp does not bury the scene in corners";
+      << "a surface that is not a lamp adds no corners";
 }
 
-TEST(ScnText, APictureThatIsMirroredStaysSo) {
+TEST(ScnText, AMirroredImageStaysMirrored) {
   Scene scene;
   scene.camera = Aim({1, 2, -9}, {0, 0, 1}, {0, 1, 0}).camera;
   scene.camera.shift = {0.5, 0};
@@ -215,7 +215,7 @@ TEST(ScnText, APictureThatIsMirroredStaysSo) {
   EXPECT_EQ(Parse(folder / "out.scn", {}).scene.camera.right, scene.camera.right);
 }
 
-TEST(ScnText, SmoothOrEmissiveMeshesOfNoFileAreWrittenOnce) {
+TEST(ScnText, SmoothOrEmissiveMeshesWithoutAFileAreWrittenOnce) {
   Material lamp;
   lamp.emission = {1, 1, 1};
   EXPECT_EQ(WriteScn(SceneOf(std::make_shared<const R3::Mesh>(Fan(false)), lamp), "/nowhere/a.scn").meshes.size(), 1u);
@@ -272,7 +272,7 @@ TEST(ScnText, NamesTheMapsOfAMaterial) {
   EXPECT_TRUE(Contains(text, maps)) << text;
 }
 
-TEST(ScnText, MeshesBesideASceneNamedWithBlanksAreFound) {
+TEST(ScnText, MeshesNextToASceneNamedWithBlanksAreFound) {
   const Folder folder;
   folder.Write("in.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 1 1 1 10 1 0\nmesh 0 m.off smooth\n");
   folder.Write("m.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");

@@ -1,5 +1,5 @@
-// What a text scene of COMP30019 means, once it is well formed. Its world is left-handed with z into the screen; ours
-// is its mirror image, every z negated.
+// The meaning of a well-formed text scene of COMP30019. Its world is left-handed with z into the screen; ours is its
+// mirror image, every z negated.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -54,7 +54,7 @@ TEST(Comp30019, TheViewOfTheCommandLineIsInTheWorldOfTheFile) {
   EXPECT_EQ(camera.up, (R3::Vector{0, 1, 0}));
 }
 
-TEST(Comp30019, NothingIsFilledIn) {
+TEST(Comp30019, NoDefaultsAreAdded) {
   const Scene scene = SceneOfComp30019(red_material);
   EXPECT_TRUE(scene.lights.empty());
   EXPECT_EQ(scene.ambient, black);
@@ -87,7 +87,7 @@ TEST(Comp30019, AMirrorIgnoresItsColor) {
   for (const R2::Color& other : {m.ka, m.kd, m.ks, m.kt, m.emission}) EXPECT_EQ(other, black);
 }
 
-TEST(Comp30019, GlassIsClearAndItsColorIsWhatItAbsorbs) {
+TEST(Comp30019, GlassIsClearAndItsColorIsItsAbsorption) {
   const Material m = MaterialOf("Refractive (1, .5, .25) 1.4");
   EXPECT_EQ(m.kt, white);
   EXPECT_EQ(m.ir, 1.4);
@@ -131,7 +131,7 @@ TEST(Comp30019, APointLightDoesNotFallOff) {
   EXPECT_EQ(light->irradiance, (R2::Color{0.25, 0.5, 0.75}));
 }
 
-/// Light in the course's world, z negated, going along a direction of its own.
+/// Returns light in the course's world, z negated, traveling in its own direction.
 std::optional<R3::Intersection> SeenAlong(const R3::Shape& shape, const R3::Point& from, const R3::Vector& towards) {
   const R3::Ray ray{{from.x, from.y, -from.z}, {towards.x, towards.y, -towards.z}};
   const auto hit = shape.Intersect(ray, 0);
@@ -146,7 +146,7 @@ TEST(Comp30019, TrianglesFaceTheClockwiseSide) {
   EXPECT_EQ(AsVector(at->normal), (R3::Vector{0, 0, 1}));  // towards the viewer, whose world is mirrored
 }
 
-TEST(Comp30019, APlaneHasItsNormalMadeUnit) {
+TEST(Comp30019, APlanesNormalIsNormalized) {
   const Scene scene = SceneOfComp30019(red_material + "Plane \"P\" (0, 0, 4) (0, 0, -3) \"Red\"\n");
   const auto at = SeenAlong(*scene.root.children.at(0).shape, {1, 2, 0}, {0, 0, 1});
   ASSERT_TRUE(at);
@@ -200,7 +200,7 @@ TEST(Comp30019, NumbersAreReadAsTheCoursesFilesWriteThem) {
   EXPECT_EQ(scene.root.children.at(0).bounds, (R3::Box{{-0.75, 1.75, -10.25}, {-0.25, 2.25, -9.75}}));
 }
 
-TEST(Comp30019, WhiteSpaceAroundMarksDoesNotCount) {
+TEST(Comp30019, WhiteSpaceAroundPunctuationDoesNotCount) {
   for (const char* line : {"Sphere\"S\"(0,0,2).5\"Red\"", "  Sphere  \" S \" ( 0 , 0 , 2 )\t.5 \" Red \"  "})
     EXPECT_EQ(SceneOfComp30019(red_material + line).root.children.size(), 1u) << line;
 }
@@ -215,14 +215,14 @@ TEST(Comp30019, AcceptsAnyLineEndAndAByteOrderMark) {
   }
 }
 
-TEST(Comp30019, MaterialsLightsAndEntitiesHaveNamesOfTheirOwn) {
+TEST(Comp30019, MaterialsLightsAndEntitiesHaveSeparateNames) {
   const Scene scene = SceneOfComp30019(
       "Material \"A\" Diffuse (1, 1, 1) 1\nPointLight \"A\" (0, 0, 0) (1, 1, 1)\nSphere \"A\" (0, 0, 2) 1 \"A\"\n");
   EXPECT_EQ(scene.root.children.size(), 1u);
   EXPECT_EQ(scene.lights.size(), 1u);
 }
 
-TEST(Comp30019, WhatIsLeftOfALineIsWarnedOf) {
+TEST(Comp30019, ExtraTokensOnALineAreReported) {
   const auto warnings = ParsedComp30019(red_material + "Sphere \"S\" (0, 0, 2) .5 \"Red\" shiny 3\n").warnings;
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(
@@ -231,7 +231,7 @@ TEST(Comp30019, WhatIsLeftOfALineIsWarnedOf) {
       << warnings[0];
 }
 
-TEST(Comp30019, WhatEmitsButGivesNoLightIsWarnedOf) {
+TEST(Comp30019, EmissionWithoutLightIsReported) {
   const auto warnings = ParsedComp30019(
                             "Material \"Sun\" Emissive (1, 1, 1) 1\n"
                             "Plane \"P\" (0, -1, 0) (0, 1, 0) \"Sun\"\nSphere \"S\" (0, 0, 2) .5 \"Sun\"\n")
@@ -240,7 +240,7 @@ TEST(Comp30019, WhatEmitsButGivesNoLightIsWarnedOf) {
   EXPECT_TRUE(warnings[0].ends_with("scene.txt:2:1: warning: an emissive Plane is seen but gives no light"));
 }
 
-TEST(Comp30019, ADegenerateTriangleIsWarnedOf) {
+TEST(Comp30019, ADegenerateTriangleIsReported) {
   const auto warnings =
       ParsedComp30019(red_material + "Triangle \"T\" (0, 0, 2) (1, 1, 2) (2, 2, 2) \"Red\"\n").warnings;
   ASSERT_EQ(warnings.size(), 1u);

@@ -11,7 +11,7 @@ namespace {
 
 const std::string camera = "'camera': {'eye': [0, 0, 5], 'at': [0, 0, 0], 'up': [0, 1, 0], 'fovy': 45, 'aspect': 1}";
 
-/// A scene with a camera; single quotes stand for double ones.
+/// Returns a scene with a camera; single quotes stand for double ones.
 ParsedScene Cs315(const std::string& keys, const std::string& view = camera) {
   std::string json = "{" + view + (keys.empty() ? "" : ", ") + keys + "}";
   std::replace(json.begin(), json.end(), '\'', '"');
@@ -36,12 +36,12 @@ std::string ValueOf(const Scene& scene, const std::string& option) {
   return "(none)";
 }
 
-// The values that the assignment prints for rays of a 512 x 512 picture; there, a ray goes through a pixel's corner.
+// The values that the assignment prints for rays of a 512 x 512 image, where a ray goes through a pixel's corner.
 TEST(Cs315, RaysAreThoseOfTheAssignment) {
   const Scene scene = Cs315("").scene;
   const double w = 2 * std::tan(22.5 * std::numbers::pi / 180);
   const auto through = [&](double i, double j) {
-    // Pixel (i, j) counts from the top, and the last one's corner is at the right and lower edge.
+    // Pixel (i, j) is counted from the top, and the last one's corner is at the right and lower edge.
     const R3::Vector d = scene.camera.Through(i * 512 / 511, 512 - j * 512 / 511, 512, 512).direction;
     return R3::Vector{d.x / -d.z, d.y / -d.z, -1};
   };
@@ -54,7 +54,7 @@ TEST(Cs315, RaysAreThoseOfTheAssignment) {
   EXPECT_NEAR(through(256, 256).y, -0.00081059, 1e-8);
 }
 
-TEST(Cs315, AspectWidensThePictureWhateverItsPixels) {
+TEST(Cs315, AspectWidensTheImageForAnyPixels) {
   const Scene scene =
       Cs315("", "'camera': {'eye': [0, 0, 5], 'at': [0, 0, 0], 'up': [0, 1, 0], 'fovy': 90, 'aspect': 1.5}").scene;
   for (const int width : {512, 100}) {
@@ -64,7 +64,7 @@ TEST(Cs315, AspectWidensThePictureWhateverItsPixels) {
   }
 }
 
-TEST(Cs315, WhatTheCourseDecidesAreSettings) {
+TEST(Cs315, TheCoursesRulesAreSettings) {
   const Scene plain = Cs315("").scene;
   for (const auto& [option, value] : {std::pair{"width", "512"},
                                       {"height", "512"},
@@ -90,7 +90,7 @@ TEST(Cs315, SurfacesMoveWhileTheShutterIsOpen) {
   EXPECT_EQ(Depth(scene, {.origin = {3, 0, 5}, .direction = {0, 0, -1}, .time = 1}), 4);
 }
 
-TEST(Cs315, TheCamerasExposureTimeSaysHowLongTheyMove) {
+TEST(Cs315, TheCamerasExposureTimeScalesTheirMotion) {
   const auto way_in = [](const std::string& time) {
     std::string view = camera;
     view.insert(view.size() - 1, ", 'exposureTime': " + time);
@@ -107,7 +107,7 @@ TEST(Cs315, TheCamerasExposureTimeSaysHowLongTheyMove) {
   EXPECT_ANY_THROW(way_in("-1"));
 }
 
-// An independent blend by barycentric coordinates, from either side.
+// An independent interpolation by barycentric coordinates, from either side.
 TEST(Cs315, NormalsOfATrianglesCornersAreBlended) {
   for (const auto& [a, b, c] : {std::array{"'n0'", "'n1'", "'n2'"}, {"'n1'", "'n2'", "'n3'"}}) {
     const std::string normals = ", " + std::string(a) + ": [-2, 0, 2], " + b + ": [1, 0, 1], " + c + ": [0, 1, 1]";
@@ -129,7 +129,7 @@ TEST(Cs315, NormalsOfATrianglesCornersAreBlended) {
   }
 }
 
-TEST(Cs315, NormalsOfATriangleAreAllThereOrNone) {
+TEST(Cs315, ATriangleHasAllNormalsOrNone) {
   EXPECT_ANY_THROW(
       WithSurface("{'shape': 'Triangle', 'p1': [0, 0, 0], 'p2': [3, 0, 0], 'p3': [0, 3, 0], "
                   "'material': 0, 'n0': [0, 0, 1], 'n1': [0, 0, 1]}"));
@@ -200,7 +200,7 @@ TEST(Cs315, ATriangleIsSeenFromBothSides) {
   }
 }
 
-TEST(Cs315, ShapesOfOurOwnAreInLowerCase) {
+TEST(Cs315, OurOwnShapesAreInLowerCase) {
   const Scene scene =
       WithSurface("{'shape': 'torus', 'position': [0, 0, 0], 'radius': 2, 'tube': 0.5, 'material': 0}").scene;
   EXPECT_NEAR(*Depth(scene, {{2, 0, 9}, {0, 0, -1}}), 8.5, 1e-9);
@@ -217,7 +217,7 @@ TEST(Cs315, UnknownKeysWarnWhileNamesAreIgnoredSilently) {
   EXPECT_TRUE(Contains(parsed.warnings[0], "unknown key 'kq' in a material is ignored"));
 }
 
-TEST(JsonScenes, AreToldApartByTheKeysAtTheirTop) {
+TEST(JsonScenes, AreDistinguishedByTheirTopLevelKeys) {
   const Folder folder;
   EXPECT_EQ(Parse(folder.Write("a.json", "{\"Eye\": [0, 0, 9], \"Objects\": []}"), {}).scene.settings.front().origin,
             "Groningen");
@@ -239,7 +239,7 @@ TEST(JsonScenes, AreToldApartByTheKeysAtTheirTop) {
       << "the user's word counts";
 }
 
-TEST(JsonScenes, AnUnknownFormatIsToldWithThoseThatExist) {
+TEST(JsonScenes, AnUnknownFormatIsReportedWithTheKnownOnes) {
   const Folder folder;
   folder.Write("a.json", "{}");
   ParseOptions options;

@@ -11,7 +11,7 @@
 namespace ray {
 namespace {
 
-/// A scene in the JSON form, which every build reads; single quotes stand for double ones.
+/// Returns a scene in the JSON form, which every build reads; single quotes stand for double ones.
 ParsedScene Groningen(std::string json) {
   std::replace(json.begin(), json.end(), '\'', '"');
   const Folder folder;
@@ -34,7 +34,7 @@ std::string SettingOf(const Scene& scene, const std::string& option) {
   return "(none)";
 }
 
-/// The place of the object that a ray meets first, and its normal there.
+/// Returns the position and the normal of a ray's first hit.
 struct Met {
   double t = 0;
   R3::Intersection at;
@@ -94,7 +94,7 @@ TEST(Groningen, ACameraReplacesAnEye) {
   EXPECT_EQ(scene.camera.eye, (R3::Point{0, 0, 9}));
 }
 
-TEST(Groningen, WhatTheCourseDecidesAreSettingsThatTheFileOverrides) {
+TEST(Groningen, TheCoursesRulesAreSettingsThatTheFileOverrides) {
   const Scene plain = WithKeys("").scene;
   for (const auto& [option, value] : {std::pair{"samples", "1"},
                                       {"sampler", "grid"},
@@ -109,17 +109,17 @@ TEST(Groningen, WhatTheCourseDecidesAreSettingsThatTheFileOverrides) {
     EXPECT_EQ(SettingOf(plain, option), value) << option;
   for (const SceneSetting& setting : plain.settings) EXPECT_EQ(setting.origin, "Groningen") << setting.option;
 
-  const Scene told = WithKeys(
-                         "'Shadows': 'yes', 'MaxRecursionDepth': 2, 'SuperSampling': {'factor': 4}, "
-                         "'RenderMode': 'ZBuffer', 'ZBuffer': {'near': 500, 'far': 900.5}")
-                         .scene;
+  const Scene scene = WithKeys(
+                          "'Shadows': 'yes', 'MaxRecursionDepth': 2, 'SuperSampling': {'factor': 4}, "
+                          "'RenderMode': 'ZBuffer', 'ZBuffer': {'near': 500, 'far': 900.5}")
+                          .scene;
   for (const auto& [option, value] : {std::pair{"samples", "16"},
                                       {"max_depth", "2"},
                                       {"shadows", "on"},
                                       {"mode", "zbuffer"},
                                       {"zbuffer_range", "500 900.5"}})
-    EXPECT_EQ(SettingOf(told, option), value) << option;
-  const auto depth = std::find_if(told.settings.begin(), told.settings.end(),
+    EXPECT_EQ(SettingOf(scene, option), value) << option;
+  const auto depth = std::find_if(scene.settings.begin(), scene.settings.end(),
                                   [](const SceneSetting& setting) { return setting.option == "max_depth"; });
   EXPECT_TRUE(depth->origin.ends_with("scene.json:1")) << depth->origin;
 }
@@ -295,7 +295,7 @@ TEST(Groningen, AmbientLightIsTheSumOfTheLights) {
   EXPECT_TRUE(WithKeys("").scene.lights.empty()) << "no default lights";
 }
 
-// An extension: the course has lights at points only.
+// An extension: the course has point lights only.
 TEST(Groningen, ALightMayBeOfAnyKind) {
   const Scene scene =
       WithKeys(
@@ -314,12 +314,12 @@ TEST(Groningen, UnknownPartsAreReportedOnceAndTheRestRead) {
       WithKeys("'Sahdows': true", "{'type': 'waterfall', 'what': 1}, {'type': 'spher'}, " + red_ball);
   EXPECT_EQ(parsed.scene.root.children.size(), 1u);
   ASSERT_EQ(parsed.warnings.size(), 3u);
-  EXPECT_TRUE(Contains(parsed.warnings[0], "type 'waterfall' is not supported; the object is left out"));
-  EXPECT_TRUE(Contains(parsed.warnings[1], "'spher' is not supported; the object is left out; did you mean 'sphere'?"));
+  EXPECT_TRUE(Contains(parsed.warnings[0], "type 'waterfall' is not supported; the object is skipped"));
+  EXPECT_TRUE(Contains(parsed.warnings[1], "'spher' is not supported; the object is skipped; did you mean 'sphere'?"));
   EXPECT_TRUE(Contains(parsed.warnings[2], "unknown key 'Sahdows' in a scene is ignored; did you mean 'Shadows'?"));
 }
 
-/// Where the texture of a sphere of radius 2 about 1 2 3 is asked for at a point seen from outside along -n.
+/// Returns the texture coordinates of a sphere of radius 2 about 1 2 3 at a point seen from outside along -n.
 R2::Point TexturePlace(const std::string& keys, const R3::Vector& n) {
   const Scene scene = WithKeys("'RenderMode': 'texcoord'", "{'type': 'sphere', 'position': [1, 2, 3], " + keys +
                                                                ", 'material': {'color': [1, 1, 1]}}")
@@ -356,7 +356,7 @@ TEST(Groningen, AnAxisTurnsThePoleByTheSmallestRotation) {
     EXPECT_NEAR(TexturePlace(opposite, {0, 0, -1}).y, 1, 1e-3) << opposite;
 }
 
-TEST(Groningen, ASideSaysWhereLongitude0Is) {
+TEST(Groningen, ASideSetsLongitude0) {
   for (const char* keys :
        {"'radius': 2, 'axis': [0, 1, 0], 'side': [1, 5, 0]", "'radius': 2, 'north': [0, 1, 0], 'start': [1, 0, 0]"}) {
     EXPECT_NEAR(TexturePlace(keys, {0, 1, 0}).y, 1, 1e-7) << keys;
@@ -412,7 +412,7 @@ TEST(Groningen, EverySpellingOfATriangleAndAQuadIsTaken) {
       beside));
 }
 
-TEST(Groningen, AQuadGivenRowByRowIsToldAndTaken) {
+TEST(Groningen, AQuadGivenRowByRowIsReportedAndRead) {
   const ParsedScene parsed =
       WithKeys("",
                "{'type': 'quad', 'p0': [0, 0, 0], 'p1': [0, 4, 0], 'p2': [4, 0, 0], 'p3': [4, 4, 0], "
@@ -423,7 +423,7 @@ TEST(Groningen, AQuadGivenRowByRowIsToldAndTaken) {
     EXPECT_TRUE(Trace(parsed.scene, {p, {0, 0, -1}})) << p.x << " " << p.y;
 }
 
-TEST(Groningen, APolygonThatIsNotFlatIsToldOf) {
+TEST(Groningen, APolygonThatIsNotFlatIsReported) {
   const ParsedScene parsed =
       WithKeys("",
                "{'type': 'polygon', 'vertices': [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]], 'material': "
@@ -443,7 +443,7 @@ TEST(Groningen, AConcavePolygonHasItsNotch) {
   EXPECT_FALSE(Trace(scene, {{2, 2, 9}, {0, 0, -1}}));
 }
 
-TEST(Groningen, SolidsStandWhereTheirKeysSay) {
+TEST(Groningen, SolidsArePlacedByTheirKeys) {
   const std::string material = "'material': {'color': [1, 1, 1]}}";
   const auto depth = [&](const std::string& keys, const R3::Ray& ray) {
     const auto met = Trace(WithKeys("", "{" + keys + ", " + material).scene, ray);
@@ -468,7 +468,7 @@ TEST(Groningen, SolidsStandWhereTheirKeysSay) {
   // At y = 0.5 of a height of 2 the half width is sqrt(0.75) of the radius.
   EXPECT_NEAR(depth("'type': 'paraboloid', 'position': [0, 0, 0], 'radius': 1, 'height': 2", along_x),
               10 - std::sqrt(0.75), 1e-12);
-  // 2 (1 - d^2 / 9)^3 = 0.25 at d = 3 sqrt(1 / 2); a strength that is not said is 1.
+  // 2 (1 - d^2 / 9)^3 = 0.25 at d = 3 sqrt(1 / 2); a missing strength is 1.
   for (const char* blob : {"'type': 'blob', 'threshold': 0.25, 'balls': [{'position': [0, 0.5, 0], 'radius': 3, "
                            "'strength': 2}]",
                            "'type': 'metaball', 'threshold': 0.125, 'components': [{'center': [0, 0.5, 0], 'r': 3}]"})
@@ -488,7 +488,7 @@ TEST(Groningen, SolidsStandWhereTheirKeysSay) {
   EXPECT_NEAR(
       depth("'type': 'box', 'position': [1, 0, -1], 'side': [2, 0, 0], 'up': [0, 2, 0], 'depth': [0, 0, 2]", along_x),
       11, 1e-12);
-  // A length alone leads away from one who sees side lead to the right and up lead up.
+  // A single length points away from a viewer for whom side points right and up points up.
   const std::string sides = "'side': [2, 0, 0], 'up': [0, 2, 0], 'depth': 2";
   EXPECT_NEAR(depth("'type': 'box', 'position': [1, 0, 1], " + sides, along_x), 11, 1e-12);
   EXPECT_NEAR(depth("'type': 'box', 'position': [1, 0, -1], " + sides, along_x), -1, 0);
@@ -503,7 +503,7 @@ TEST(Groningen, SolidsStandWhereTheirKeysSay) {
 TEST(Groningen, BadDistancesAreNoErrorWhenUnused) {
   const ParsedScene phong = WithKeys("'DistMin': -5, 'DistMax': 900");
   ASSERT_EQ(phong.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(phong.warnings[0], "a negative distance is left out")) << phong.warnings[0];
+  EXPECT_TRUE(Contains(phong.warnings[0], "ignoring a negative distance")) << phong.warnings[0];
   EXPECT_EQ(SettingOf(phong.scene, "zbuffer_range"), "(none)");
   EXPECT_THROW(WithKeys("'RenderMode': 'zbuffer', 'DistMin': -5, 'DistMax': 900"), SceneErrors);
 }
@@ -573,7 +573,7 @@ TEST(Groningen, MeshesMayHaveFileMaterialsAndComputedNormals) {
   }
 }
 
-TEST(Groningen, AMeshMayHaveANameBesideItsFile) {
+TEST(Groningen, AMeshMayHaveANameAndAFile) {
   const Folder folder;
   folder.Write("flag.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   ParseOptions options;
@@ -622,7 +622,7 @@ TEST(Groningen, BothFormsOfASceneAreTheSame) {
     EXPECT_EQ(a.scene.settings[i].value, b.scene.settings[i].value) << a.scene.settings[i].option;
 }
 
-TEST(Groningen, ColorsOfWebPagesAreNamedAsTheCommentsThatTheyAre) {
+TEST(Groningen, WebColorsAreReportedAsComments) {
   const std::string scene =
       "Eye: [0, 0, 9]\nObjects:\n- type: sphere\n  position: [0, 0, 0]\n  radius: 1\n"
       "  material:\n    kd: 1\n    color: ";
@@ -637,7 +637,7 @@ TEST(Groningen, ColorsOfWebPagesAreNamedAsTheCommentsThatTheyAre) {
   EXPECT_TRUE(Contains(warnings[0], "a.yaml:1:1: warning: 'Background' has no value: " + hint)) << warnings[0];
 }
 
-TEST(Groningen, CharactersThatLookRightAreNamed) {
+TEST(Groningen, LookAlikeCharactersAreNamed) {
   const Folder folder;
   folder.Write("a.yaml", "Eye: [0, 0, \u22129]\nObjects: []\n");
   EXPECT_TRUE(Contains(ReportOf(folder, "a.yaml"), "it has U+2212, a minus sign: type '-9'"));

@@ -1,4 +1,4 @@
-#include "source/app/rayview/SavePicture.h"
+#include "source/app/rayview/SaveImage.h"
 
 #include <cassert>
 #include <filesystem>
@@ -15,7 +15,7 @@
 namespace ray {
 namespace {
 
-/// The texts of the scene's files as they were read, which may be edited and not saved yet.
+/// Returns the texts of the scene's files as read, including unsaved edits.
 std::vector<std::string_view> TextsOf(const LoadedScene& scene) {
   std::vector<std::string_view> texts;
   for (const ScnPlaces::File& file : scene.places.files) texts.emplace_back(file.text->bytes);
@@ -25,7 +25,7 @@ std::vector<std::string_view> TextsOf(const LoadedScene& scene) {
 RunStats StatsOf(const RenderOptions& options, const LoadedScene& scene, const RenderResult& result, double seconds) {
   RunStats stats;
   stats.options = options;
-  stats.picture = options.files.picture;
+  stats.image_file = options.files.image;
   stats.scene.hash = SceneHash(scene.parsed.scene.files, TextsOf(scene));
   stats.scene.settings = SettingsInForce(scene.parsed.scene, options);
   stats.threads = ThreadsOf(options.render);
@@ -36,16 +36,16 @@ RunStats StatsOf(const RenderOptions& options, const LoadedScene& scene, const R
 
 }  // namespace
 
-std::string SaveTraced(const PictureOutput* output, RenderOptions options, const LoadedScene& scene,
+std::string SaveTraced(const ImageOutput* output, RenderOptions options, const LoadedScene& scene,
                        const RenderResult& result, double seconds) {
   assert(result.IsComplete());
   std::optional<Camera>& view = options.render.view;
   if (view && CameraLine(*view) == CameraLine(scene.parsed.scene.camera)) view.reset();
-  const PictureOutput place = output ? *output : ClaimImageName("jpg");
-  options.files.picture = place.file.name;
+  const ImageOutput place = output ? *output : ClaimImageName("jpg");
+  options.files.image = place.file.name;
   const RunStats stats = StatsOf(options, scene, result, seconds);
   try {
-    WritePicture({place.format, place.file, {}, {}, {}}, result, {}, stats);
+    WriteImage({place.format, place.file, {}, {}, {}}, result, {}, stats);
   } catch (...) {
     std::error_code ignored;
     if (!output) std::filesystem::remove(place.file.target, ignored);  // claimed, and still empty
@@ -54,9 +54,9 @@ std::string SaveTraced(const PictureOutput* output, RenderOptions options, const
   return FinalLine(stats);
 }
 
-void SaveDrawing(const PictureOutput& output, const R2::Image& drawing, R2::ImageEncoding encoding) {
+void SaveDrawing(const ImageOutput& output, const R2::Image& drawing, R2::ImageEncoding encoding) {
   encoding.srgb = false;
-  TellOfLink(Program::rayview, output.file);
+  WarnOfLink(Program::rayview, output.file);
   WriteWhole(output.file, output.format->encode(drawing, encoding, {{"program", NameAndVersion(Program::rayview)}}));
 }
 

@@ -1,4 +1,4 @@
-#include "source/rayimg/Pictures.h"
+#include "source/rayimg/Images.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +21,12 @@ std::string SizeOf(const std::string& name, const R2::Image& image) {
 }  // namespace
 
 R2::DecodedImage ReadLight(const std::string& file, bool srgb) {
-  R2::DecodedImage picture = ReadPicture(file);
-  if (!srgb || picture.format->is_linear) return picture;
-  R2::Image& image = picture.image;
+  R2::DecodedImage decoded = ReadImageFile(file);
+  if (!srgb || decoded.format->is_linear) return decoded;
+  R2::Image& image = decoded.image;
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, R2::DecodeSrgb(image.At(x, y)));
-  return picture;
+  return decoded;
 }
 
 void Expose(R2::Image& image, const ImageOptions& options) {
@@ -42,7 +42,7 @@ void RefuseOtherSize(const std::string& a_name, const R2::Image& a, const std::s
   throw UsageError("images must have one size, but " + SizeOf(a_name, a) + " and " + SizeOf(b_name, b));
 }
 
-void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageEncoding& encoding,
+void Write(const ImageOutput& output, const R2::Image& image, const R2::ImageEncoding& encoding,
            const R2::ImageSettings& settings) {
   RefuseSize(*output.format, image.Width(), image.Height());
   if (output.file.is_link)
@@ -51,16 +51,17 @@ void Write(const PictureOutput& output, const R2::Image& image, const R2::ImageE
   WriteWhole(output.file, output.format->encode(image, encoding, settings));
 }
 
-void RefuseToRound(const std::string& name, bool is_linear, const PictureOutput& output) {
+void RefuseToRound(const std::string& name, bool is_linear, const ImageOutput& output) {
   if (!is_linear || output.format->is_linear) return;
   std::string keep;
   for (const R2::ImageFormat& format : R2::ImageFormats())
     if (format.is_linear) keep += (keep.empty() ? "." : ", .") + std::string(format.extensions[0]);
-  throw UsageError(Quoted(name) + " holds floats, and a " + output.format->name +
-                   " only 0 to 1 in steps; write one of " + keep + ", or say with rayimg convert how it is shown");
+  throw UsageError(Quoted(name) + " contains floats, but a " + output.format->name +
+                   " stores only quantized values from 0 to 1; write one of " + keep +
+                   ", or map the values by rayimg convert");
 }
 
-R2::ImageEncoding EncodingOf(const ImageOptions& options, const PictureOutput& output) {
+R2::ImageEncoding EncodingOf(const ImageOptions& options, const ImageOutput& output) {
   if (options.bits == 16 && std::string(output.format->name) != "png")
     throw UsageError("-bits 16 needs a PNG, not " + std::string(output.format->name));
   return {.srgb = options.srgb, .bits = options.bits, .jpeg_quality = options.jpeg_quality};
@@ -73,12 +74,12 @@ void RefuseTooManyPixels(std::int64_t width, std::int64_t height) {
 }
 
 void AddCommand(R2::ImageSettings& settings, const std::string& command_line) {
-  std::string& told = settings["converted"];
-  told += (told.empty() ? "" : "; ") + command_line;
+  std::string& converted = settings["converted"];
+  converted += (converted.empty() ? "" : "; ") + command_line;
 }
 
 std::string Rounded(double number) {
-  return std::isnan(number) ? "nan" : ray::Rounded(number, 6);  // whose sign says nothing
+  return std::isnan(number) ? "nan" : ray::Rounded(number, 6);  // the sign carries no information
 }
 
 }  // namespace ray::rayimg

@@ -1,4 +1,4 @@
-#include "source/app/rayview/SavePicture.h"
+#include "source/app/rayview/SaveImage.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ const std::string small_scene =
     "camera 0 0 6  0 0 -1  0 1 0  0.3  0.1 100\nmaterial .2 .1 0  .8 .5 .3  .5 .5 .5  0 0 0  0 0 0  20 1  0\n"
     "sphere 0  0 0 0  1\nbox 0  -1 -2 -1  1 -1.5 1\n";
 
-/// Changes the current folder for as long as it lives.
+/// Changes the current folder for its lifetime.
 class Inside {
  public:
   explicit Inside(const std::filesystem::path& folder) { std::filesystem::current_path(folder); }
@@ -45,21 +45,21 @@ ViewerOptions ViewOf(const std::string& scene, const Words& more) {
   return ReadCommandLine<ViewerOptions>(Program::rayview, words);
 }
 
-/// Traces and saves as rayview does at S; returns the settings that the picture holds.
+/// Traces and saves like rayview's key S; returns the settings in the image.
 R2::ImageSettings TraceAndSave(const ViewerOptions& options, const std::string& name) {
   const LoadedScene scene(options.files.scene, options.parse, options.accelerator);
-  const PictureOutput output = CheckPictureOutput(name, {});
+  const ImageOutput output = CheckImageOutput(name, {});
   SaveTraced(&output, options, scene, Render(scene.world, *scene.accelerator, options.render), 1.5);
   return Decode(name).settings;
 }
 
-/// The words of a line without quotes in it.
+/// Returns the words of a line without quotes.
 Words Split(const std::string& line) {
   std::istringstream stream(line);
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-TEST(RayproCommand, IsOneThatMakesTheSamePicture) {
+TEST(RayproCommand, MakesTheSameImage) {
   ViewerOptions options = ReadCommandLine<ViewerOptions>(Program::rayview, Words{"room.scn", "-image", "a.png"});
   EXPECT_EQ(RayproCommand(options), "raypro room.scn a.png -width 512 -height 512");
   options = ReadCommandLine<ViewerOptions>(
@@ -76,7 +76,7 @@ TEST(RayproCommand, IsOneThatMakesTheSamePicture) {
   EXPECT_EQ(RayproCommand(options), "raypro ./-room.scn ./-a.png -width 512 -height 512");
 }
 
-// The scene may state another value than the default that was typed.
+// The scene may set another value than the default that was typed.
 TEST(RayproCommand, KeepsOnlyTypedOptionsThatAffectTheImage) {
   const auto options =
       ReadCommandLine(Program::raypro, Words{"--samples=1", "in.scn", "-threads", "2", "out.png", "-verbose", "-resume",
@@ -84,8 +84,8 @@ TEST(RayproCommand, KeepsOnlyTypedOptionsThatAffectTheImage) {
   EXPECT_EQ(RayproCommand(options), "raypro in.scn out.png -samples 1 -seed 3 -srgb");
 }
 
-// What S saves is worth as much as raypro's picture only if it is that picture.
-TEST(SavePicture, EveryFormatIsRayprosFileByteForByte) {
+// An image saved by S must equal raypro's image.
+TEST(SaveImage, EveryFormatIsRayprosFileByteForByte) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   const Inside inside(folder.Path());
@@ -96,7 +96,7 @@ TEST(SavePicture, EveryFormatIsRayprosFileByteForByte) {
       ViewerOptions options = ViewOf("in.scn", more);
       TraceAndSave(options, name);
       const std::string viewed = ReadFile(name);
-      options.files.picture = name;
+      options.files.image = name;
       Words words = Split(RayproCommand(options));
       words.erase(words.begin());
       ASSERT_EQ(RunProgram(words).status, 0);
@@ -104,7 +104,7 @@ TEST(SavePicture, EveryFormatIsRayprosFileByteForByte) {
     }
 }
 
-TEST(SavePicture, IsRayprosFileWhereTheSceneHasSettingsToo) {
+TEST(SaveImage, IsRayprosFileIfTheSceneHasSettingsToo) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   const Inside inside(folder.Path());
@@ -116,7 +116,7 @@ TEST(SavePicture, IsRayprosFileWhereTheSceneHasSettingsToo) {
   EXPECT_TRUE(!viewed.empty() && viewed == ReadFile("out.png"));
 }
 
-TEST(SavePicture, TellsInThePictureWhatRayproWouldTell) {
+TEST(SaveImage, TheImageHasTheSettingsOfRayprosImage) {
   NEEDS_THE_PROGRAM();
   const TemporaryFolder folder;
   const Inside inside(folder.Path());
@@ -128,7 +128,7 @@ TEST(SavePicture, TellsInThePictureWhatRayproWouldTell) {
   EXPECT_EQ(TraceAndSave(ViewOf("in.scn", {"-keep_times"}), "out.png")["seconds"], "1.500");
 }
 
-TEST(SavePicture, TellsTheCameraWhenItIsNotTheScenes) {
+TEST(SaveImage, RecordsTheCameraIfItIsNotTheScenes) {
   const TemporaryFolder folder;
   const Inside inside(folder.Path());
   WriteFile("in.scn", small_scene);
@@ -140,7 +140,7 @@ TEST(SavePicture, TellsTheCameraWhenItIsNotTheScenes) {
   EXPECT_EQ(TraceAndSave(options, "out.png")["camera"], "camera 0.1 0 6  0 0 -1  0 1 0  0.3333333333333333  0.1 100");
 }
 
-TEST(SavePicture, ACameraLineParsesBackToTheCamera) {
+TEST(SaveImage, ACameraLineParsesBackToTheCamera) {
   Camera camera = Aim({1, 2e-300, -3.1}, {1, 2, 3}, {0.3, 1, 0}).camera;
   camera.xfov = 0.7;
   camera.near = 1e-5;
@@ -151,7 +151,7 @@ TEST(SavePicture, ACameraLineParsesBackToTheCamera) {
   EXPECT_NEAR(Dot(read.towards, camera.towards), 1, 1e-15);
 }
 
-TEST(SavePicture, WithoutANameItTakesTheFirstThatIsFree) {
+TEST(SaveImage, WithoutANameItTakesTheFirstUnusedOne) {
   const TemporaryFolder folder;
   const Inside inside(folder.Path());
   WriteFile("in.scn", small_scene);
@@ -167,25 +167,25 @@ TEST(SavePicture, WithoutANameItTakesTheFirstThatIsFree) {
   EXPECT_GT(ReadFile("image2.jpg").size(), 100u);
 }
 
-TEST(SavePicture, ANameThatWasClaimedInVainIsFreeAgain) {
+TEST(SaveImage, ANameOfAFailedSaveIsUnusedAgain) {
   const TemporaryFolder folder;
   const Inside inside(folder.Path());
   WriteFile("in.scn", "");
   const ViewerOptions options = ViewOf("in.scn", {});
   const LoadedScene scene(options.files.scene, options.parse, options.accelerator);
   RenderResult result;
-  result.image = R2::Image(70'000, 1);  // more than a JPEG holds
+  result.image = R2::Image(70'000, 1);  // larger than a JPEG can be
   result.pixels_done = result.pixels_total = 70'000;
   EXPECT_THROW(SaveTraced(nullptr, options, scene, result, 1), R2::ImageError);
   EXPECT_EQ(folder.Others({"in.scn"}), Words{});
 }
 
-TEST(SavePicture, ADrawingKeepsTheValuesThatAreShown) {
+TEST(SaveImage, ADrawingKeepsTheDisplayedValues) {
   const TemporaryFolder folder;
   R2::Image drawing(2, 1);
   drawing.Set(0, 0, {128 / 255., 1, 0});
   for (const char* name : {"a.png", "a.ppm", "a.bmp"}) {
-    SaveDrawing(CheckPictureOutput(folder / name, {}), drawing, ViewOf("in.scn", {"-srgb"}).encoding);
+    SaveDrawing(CheckImageOutput(folder / name, {}), drawing, ViewOf("in.scn", {"-srgb"}).encoding);
     const auto read = Decode(folder / name);
     EXPECT_NEAR(read.image.At(0, 0).r, 128 / 255., 1e-6) << name;
     const auto program = read.settings.find("program");
@@ -193,7 +193,7 @@ TEST(SavePicture, ADrawingKeepsTheValuesThatAreShown) {
   }
 }
 
-TEST(ViewOutputs, AreCheckedBeforeAnythingIsDone) {
+TEST(ViewOutputs, AreCheckedBeforeAnyWork) {
   const TemporaryFolder folder;
   const std::string scene = WriteFile(folder / "in.scn", "");
   const auto check = [&](const Words& more) {

@@ -1,4 +1,4 @@
-#include "source/app/files/LayerPictures.h"
+#include "source/app/files/LayerImages.h"
 
 #include <algorithm>
 
@@ -55,8 +55,8 @@ std::vector<std::pair<std::string, std::string>> ChannelsOfLayers() {
 
 std::optional<RenderMode> ModeOf(Layer layer) { return Named<RenderMode>(NameOf(layer)); }
 
-RenderSettings SettingsForLayer(const RenderSettings& picture, Layer layer) {
-  RenderSettings settings = picture;
+RenderSettings SettingsForLayer(const RenderSettings& image, Layer layer) {
+  RenderSettings settings = image;
   settings.mode = *ModeOf(layer);
   settings.budget = {};
   settings.replay.reset();

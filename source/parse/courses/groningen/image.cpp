@@ -8,7 +8,7 @@
 
 namespace ray {
 
-void GroningenReader::ReadPicture(Mapping& scene) {
+void GroningenReader::ReadImageSettings(Mapping& scene) {
   Set("clamp", "samples");
   Set("bytes", "truncated");
   Set("min_luminance", "0");
@@ -25,7 +25,7 @@ void GroningenReader::ReadPicture(Mapping& scene) {
   ReadGooch(scene);
 }
 
-// The course's programs number the modes in this order.
+// The modes in the order of their numbers in the course's programs.
 void GroningenReader::ReadMode(Mapping& scene) {
   struct Name {
     const char *word, *number;
@@ -58,7 +58,7 @@ void GroningenReader::ReadMode(Mapping& scene) {
                "unknown RenderMode " + Quoted(*word) + "; phong is used" + DidYouMean(*word, known));
 }
 
-// The course asks for the two distances without saying where.
+// The course does not state where the two distances belong.
 void GroningenReader::FindRange(Mapping& mapping) {
   if (auto found = mapping.Find({"near", "Near", "DistMin"})) near_ = found;
   if (auto found = mapping.Find({"far", "Far", "DistMax"})) far_ = found;
@@ -73,7 +73,7 @@ bool IsNegative(const Field& field) {
 
 }  // namespace
 
-// Without them those of the picture itself are taken.
+// Without them, those of the image itself are used.
 void GroningenReader::ReadZBuffer(Mapping& scene) {
   FindRange(scene);
   if (const auto field = scene.Find({"ZBuffer", "zbuffer"})) {
@@ -86,14 +86,14 @@ void GroningenReader::ReadZBuffer(Mapping& scene) {
   if (!far_) return near_->Error("goes with far, which is missing");
   if (!near_) return far_->Error("goes with near, which is missing");
   if (mode_ != Mode::zbuffer && IsNegative(*near_))
-    return report_.Warn(near_->What().extent, "a negative distance is left out; this image does not use it");
+    return report_.Warn(near_->What().extent, "ignoring a negative distance, which this image does not use");
   const auto near = near_->Number(not_negative), far = far_->Number(not_negative);
   if (!near || !far) return;
   if (!(*near < *far)) return far_->Error("must be greater than near, which is " + ToText(*near));
   Set("zbuffer_range", ToText(*near) + " " + ToText(*far), &near_->What());
 }
 
-// A width in pixels, or whether there are lines at all. The course's picture has none.
+// A width in pixels, or a switch for the lines. The course's reference image has none.
 void GroningenReader::ReadOutline(Mapping& gooch) {
   constexpr double usual = 2;
   const auto field = gooch.Find({"outline"});
