@@ -15,6 +15,7 @@ namespace ray::grade {
 /// How students' programs are run.
 struct GraderSettings {
   std::vector<std::string> command;  // with {scene}, {image}, {width}, {height} and {student}
+  std::string build{};               // a line for the shell, with {student}; empty: programs are there already
   std::uint64_t seed = 0;            // 0: scenes as they are; else varied as the suite says
   Sandbox::Mode sandbox = Sandbox::Mode::automatic;
   std::string image_extension = "png";
@@ -47,10 +48,14 @@ class Grader {
   const Sandbox& sandbox() const { return sandbox_; }
   std::vector<std::unique_ptr<SceneImages>>& Scenes() { return scenes_; }
   const std::vector<std::string>& Command() const { return settings_.command; }
+  const std::string& Build() const { return settings_.build; }
   /// The suite and every file that a scene was read from.
   const std::vector<std::string>& Inputs() const { return inputs_; }
 
-  /// Runs the program of a student on every scene. `done` is called after each, with what is known so far, so that
+  /// Returns the first file of a student's folder that the command names and that is not there; empty if there is none.
+  std::string MissingProgram(const std::string& student) const;
+
+  /// Builds the program of a student, if settings.build says how, and runs it on every scene. `done` is called after each, with what is known so far, so that
   /// nothing is lost when the grader is ended.
   /// Where settings.stop ended it, the scenes that were not finished are left out, and it is not complete.
   ///   student   the folder that {student} stands for; empty for none
@@ -58,7 +63,13 @@ class Grader {
                       const std::function<void(const StudentResult&)>& done);
 
  private:
-  SceneResult GradeScene(SceneImages& images, const std::string& file, const std::string& student, double seconds_left);
+  /// Builds a copy of the folder, so that what was handed in stays as it is.
+  ///   result   gets the log, and the problem if there is one
+  void BuildCopy(const std::string& student, const std::filesystem::path& copy, StudentResult& result);
+  /// The result of a scene before the program is run.
+  static SceneResult Begun(const SuiteScene& scene);
+  void GradeScene(SceneImages& images, const std::string& file, const std::string& student, double seconds_left,
+                  SceneResult& result);
   /// Runs a student's program once on a scene, and adds its seconds and what it printed to `result`.
   FetchedImage RunProgram(const SuiteScene& scene, const std::string& file, const std::string& student,
                           double seconds_left, SceneResult& result);

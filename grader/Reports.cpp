@@ -46,6 +46,14 @@ std::string ProgramOutput(const SceneResult& scene) {
   return "<p>What the program printed:</p><pre>" + HtmlOf(scene.program_output.substr(0, 4000)) + "</pre>\n";
 }
 
+std::string BuildSection(const StudentResult& student) {
+  if (student.build_log.empty() && student.problem.empty()) return {};
+  const bool is_built = student.problem.empty();
+  const std::string log = student.build_log.empty() ? "" : "<pre>" + HtmlOf(student.build_log) + "</pre>\n";
+  return "<h2>Build</h2>\n<p class=\"" + std::string(is_built ? "right" : "failed") + "\">" +
+         HtmlOf(is_built ? "The program was built." : "The program " + student.problem + ".") + "</p>\n" + log;
+}
+
 std::string SceneSection(const SceneResult& scene) {
   std::string html = "<h2 id=\"" + HtmlOf(scene.scene) + "\">" + HtmlOf(scene.title) + ": " + PointsText(scene.score) +
                      " of " + PointsText(scene.points) + " points</h2>\n";
@@ -148,6 +156,7 @@ std::string StudentPage(const StudentResult& student, const Suite& suite, const 
                      "<p>Compared are steady pixels: those that stay as they are when the camera is moved by less than "
                      "half a pixel. Differences of rounding, and at edges, do not count. A mistake is named where it "
                      "explains more than 80% of the difference.</p>\n";
+  body += BuildSection(student);
   for (const SceneResult& scene : student.scenes) body += SceneSection(scene);
   return Page(suite.name + (student.name.empty() ? "" : ": " + student.name),
               body + "<p>" + HtmlOf(sandbox) + "</p>\n");
@@ -165,6 +174,10 @@ std::string ResultsJson(const StudentResult& student, const std::string& identit
                              {"output_format", "html"},
                              {"visibility", "visible"}});
     scenes.push_back(JsonOf(scene));
+  }
+  if (!student.problem.empty()) {
+    json["output"] = BuildSection(student);
+    json["output_format"] = "html";
   }
   json["extra_data"] = {
       {"graded_by", identity}, {"student", student.name}, {"complete", student.is_complete}, {"scenes", scenes}};

@@ -32,6 +32,8 @@ struct SceneResult {
 struct StudentResult {
   std::string name;
   std::vector<SceneResult> scenes;
+  std::string problem{};    // why no scene was tried, completing "The program"; empty if the program was there
+  std::string build_log{};  // the beginning of what the command that builds the program printed
   bool is_complete = false;
 
   double Score() const;
