@@ -93,11 +93,12 @@ void CopyFolder(const fs::path& from, const fs::path& to) {
   }
 }
 
-/// Where the grader is the superuser, programs run as another user, who becomes the owner.
+/// Makes the user that programs run as the owner if the grader is the superuser.
 void GiveToSandbox(const fs::path& folder) {
   if (geteuid() != 0) return;
   const auto give = [](const fs::path& path) {
-    if (lchown(path.c_str(), sandbox_user, sandbox_user) != 0) throw fs::filesystem_error("", path, {errno, std::generic_category()});
+    if (lchown(path.c_str(), sandbox_user, sandbox_user) != 0)
+      throw fs::filesystem_error("", path, {errno, std::generic_category()});
   };
   give(folder);
   for (const auto& entry : fs::recursive_directory_iterator(folder)) give(entry.path());
@@ -180,8 +181,9 @@ void Grader::BuildCopy(const std::string& student, const fs::path& copy, Student
   }
   const Limits limits{.seconds = suite_.build_seconds, .memory = suite_.build_memory, .processes = 256};
   const std::vector<fs::path> readable(suite_.readable.begin(), suite_.readable.end());
-  const RunResult ran = sandbox_.Run({"/bin/sh", "-c", ReplacedAll(settings_.build, "{student}", ShellWord(copy.string()))},
-                                     copy, readable, limits, settings_.stop);
+  const RunResult ran =
+      sandbox_.Run({"/bin/sh", "-c", ReplacedAll(settings_.build, "{student}", ShellWord(copy.string()))}, copy,
+                   readable, limits, settings_.stop);
   result.build_log = ReplacedAll(ran.output, copy.string() + "/", "");
   const std::string missing = MissingProgram(copy.string());
   if (!ran.IsGood())
@@ -201,17 +203,21 @@ StudentResult Grader::Grade(const std::string& name, const std::string& student,
     result.problem = "was not run: there is no " + missing + " in the folder";
   }
   double used = 0;
+  std::vector<HandedIn> handed_in;
   for (std::size_t i = 0; i < scenes_.size(); ++i) {
     const double left = suite_.budget > 0 ? suite_.budget - used : suite_.scenes[i].seconds;
     SceneResult scene = Begun(suite_.scenes[i]);
     if (result.problem.empty())
-      GradeScene(*scenes_[i], files_[i], folder, left, scene);
+      handed_in.push_back(GradeScene(*scenes_[i], files_[i], folder, left, scene));
     else
       scene.headline = "The program " + result.problem + ".";
     if (settings_.stop && *settings_.stop) return result;
+    if (!handed_in.empty() && handed_in.back().runs.empty()) handed_in.pop_back();
+    if (!handed_in.empty()) handed_in.back().scene = i;
     result.scenes.push_back(std::move(scene));
     used += result.scenes.back().seconds;
     result.is_complete = i + 1 == scenes_.size();
+    if (result.is_complete) JudgeTogether(handed_in, suite_, result);
     done(result);
   }
   return result;
@@ -262,21 +268,24 @@ SceneResult Grader::Begun(const SuiteScene& scene) {
   return result;
 }
 
-void Grader::GradeScene(SceneImages& images, const std::string& file, const std::string& student, double seconds_left,
-                        SceneResult& result) {
+HandedIn Grader::GradeScene(SceneImages& images, const std::string& file, const std::string& student,
+                            double seconds_left, SceneResult& result) {
   const SuiteScene& scene = images.scene();
-  const auto fail = [&](const std::string& problem) { result.headline = "The program " + problem + "."; };
+  HandedIn handed_in{&images, {}};
+  const auto fail = [&](const std::string& problem) {
+    result.headline = "The program " + problem + ".";
+    return HandedIn{&images, {}};
+  };
   if (!(seconds_left > 0)) return fail("was not run: the time for all scenes together is used up");
-  std::vector<R2::Image> runs;
-  bool is_jpeg = false;
   for (int run = 0; run < scene.runs; ++run) {
     FetchedImage fetched = RunProgram(scene, file, student, seconds_left, result);
     if (!fetched.problem.empty()) return fail(fetched.problem);
-    is_jpeg |= fetched.is_jpeg;
-    runs.push_back(std::move(fetched.image));
+    handed_in.is_jpeg |= fetched.is_jpeg;
+    handed_in.runs.push_back(std::move(fetched.image));
   }
   result.program_output.clear();
-  Judge(runs, is_jpeg, suite_, images, result);
+  JudgeAlone(ExhibitsOf({&handed_in, 1}, Encoding::linear)[0], suite_, result);
+  return handed_in;
 }
 
 }  // namespace ray::grade

@@ -208,7 +208,7 @@ class Watch {
     return result_;
   }
 
-  /// From /proc, since bubblewrap does not wait for what it starts, so that wait4 counts nothing.
+  /// Reads /proc, since wait4 reports nothing of programs that bubblewrap starts.
   void SampleMemory() {
     constexpr double seconds_between = 0.02;
     if (SecondsSince(sampled_) < seconds_between) return;
@@ -252,9 +252,9 @@ class Watch {
 };
 
 // What runtimes of languages, and tools, print when an allocation fails.
-constexpr std::array signs_of_no_memory{"bad_alloc",      "MemoryError",     "annot allocate memory", "ut of memory",
-                                        "OutOfMemory",    "memory exhausted", "heap limit",           "memory allocation of",
-                                        "emory capacity", "not enough memory"};
+constexpr std::array signs_of_no_memory{
+    "bad_alloc",        "MemoryError", "annot allocate memory", "ut of memory",   "OutOfMemory",
+    "memory exhausted", "heap limit",  "memory allocation of",  "emory capacity", "not enough memory"};
 
 bool HasUsedUpMemory(const RunResult& result, double peak, const Limits& limits) {
   constexpr double nearly = 0.8;  // of the limit: a program may grow by the rest between two samples
@@ -282,7 +282,7 @@ std::string NoProgram(const std::string& program, const std::string& why) {
   return program + ": " + why;
 }
 
-/// Tells apart what a status or a signal alone does not: no program, and limits that were reached.
+/// Replaces an exit status or a signal by its reason: no program, or a limit that was reached.
 void FindReason(RunResult& result, const std::string& program, double peak, const Limits& limits) {
   using enum RunResult::End;
   if (result.IsGood() || (result.end != exited && result.end != signaled)) return;

@@ -28,7 +28,7 @@ struct RunResult {
     interrupted,
     not_started,
     no_program,     // the system could not run the command's first word
-    out_of_memory,  // it reached its limit, by what it printed or by what it used
+    out_of_memory,  // it reached its limit, judging by its output or its size
     out_of_cpu,     // its threads used up their processor time
     large_file
   };

@@ -44,7 +44,8 @@ bool HasPlaceholder(const std::string& word) { return word.find('{') != word.npo
 std::string WithPlace(const std::string& word, bool is_program) {
   std::error_code none;
   const bool has_slash = word.find('/') != word.npos, is_folder = word == "." || word == "..";
-  if (!fs::exists(word, none) || !(has_slash || is_folder || (!is_program && fs::is_regular_file(word, none)))) return word;
+  if (!fs::exists(word, none) || !(has_slash || is_folder || (!is_program && fs::is_regular_file(word, none))))
+    return word;
   if (fs::is_directory(word, none)) return fs::canonical(word).string();
   return (fs::canonical(fs::absolute(word).parent_path()) / fs::path(word).filename()).string();
 }
@@ -67,7 +68,8 @@ void RequireProgram(const std::vector<std::string>& command) {
                        (fs::exists(program, none) ? "; for the file in this folder, write ./" + program : ""));
   }
   // The script of an interpreter.
-  const auto script = std::ranges::find_if(command.begin() + 1, command.end(), [](const auto& w) { return !w.starts_with('-'); });
+  const auto script =
+      std::ranges::find_if(command.begin() + 1, command.end(), [](const auto& w) { return !w.starts_with('-'); });
   if (script == command.end() || HasPlaceholder(*script) || fs::path(*script).extension().empty()) return;
   if (!fs::exists(*script, none)) throw UsageError("there is no file " + Quoted(*script) + " for " + program);
 }
@@ -98,6 +100,15 @@ std::string PointsOf(const StudentResult& student) {
   return Rounded(student.Score(), 4) + " of " + Rounded(student.Points(), 4) + " points";
 }
 
+void PrintResult(const StudentResult& student) {
+  const std::string begin = student.name.empty() ? "" : Escaped(student.name) + ": ";
+  if (!student.problem.empty()) return WriteStandardOutput(begin + "The program " + Escaped(student.problem) + ".\n");
+  for (const grade::SceneResult& scene : student.scenes)
+    WriteStandardOutput(begin + Escaped(scene.scene) + ": " + Rounded(scene.score, 4) + "/" + Rounded(scene.points, 4) +
+                        "  " + Escaped(scene.headline) + "\n");
+  WriteStandardOutput(begin + Escaped(student.verdict.headline) + "\n");
+}
+
 /// Grades one student; what is known is written after each scene.
 StudentResult GradeStudent(grade::Grader& grader, const std::string& name, const std::string& folder,
                            const fs::path& out, const std::string& results, const std::string& identity) {
@@ -105,10 +116,7 @@ StudentResult GradeStudent(grade::Grader& grader, const std::string& name, const
   return grader.Grade(name, folder, [&](const StudentResult& so_far) {
     WriteText(results, ResultsJson(so_far, identity));
     WriteText((out / "index.html").string(), StudentPage(so_far, grader.suite(), grader.sandbox().Describe()));
-    const grade::SceneResult& last = so_far.scenes.back();
-    if (!so_far.problem.empty() && so_far.scenes.size() > 1) return;  // the same for all scenes
-    WriteStandardOutput((name.empty() ? "" : Escaped(name) + ": ") + Escaped(last.scene) + ": " +
-                        Rounded(last.score, 4) + "/" + Rounded(last.points, 4) + "  " + Escaped(last.headline) + "\n");
+    if (so_far.is_complete) PrintResult(so_far);
   });
 }
 
@@ -170,13 +178,13 @@ int GradeClass(grade::Grader& grader, const GradeOptions& options, const std::st
 }
 
 int PrintMatrix(grade::Grader& grader, int pairs) {
-  const grade::MatrixCounts counts = TryMistakes(grader.Scenes(), pairs);
-  for (const std::string& line : counts.lines) WriteStandardOutput(line + "\n");
-  WriteStandardOutput("right " + std::to_string(counts.right) + " (" + std::to_string(counts.by_name) +
-                      " by name, others by one that looks the same), told to be empty " + std::to_string(counts.told) +
-                      ", wrong " + std::to_string(counts.wrong) +
-                      ", silent " + std::to_string(counts.silent) + "; in no scene visible: " +
-                      Counted(static_cast<std::uint64_t>(counts.invisible), "mistake") + "\n");
+  using enum grade::MatrixRow::Outcome;
+  const grade::MatrixCounts counts = TryMistakes(grader.Scenes(), grader.suite(), pairs);
+  for (const grade::MatrixRow& row : counts.rows) WriteStandardOutput(row.Text() + "\n");
+  const auto count = [&](grade::MatrixRow::Outcome outcome) { return std::to_string(counts.Count(outcome)); };
+  WriteStandardOutput("right by name " + count(by_name) + ", by another cause with the same images " +
+                      count(same_image) + ", of one color " + count(empty) + ", wrong " + count(wrong) + ", silent " +
+                      count(silent) + ", in no scene visible " + count(invisible) + "\n");
   return status::done;
 }
 
