@@ -8,7 +8,7 @@
 
 #include "R2/compare/Difference.h"
 #include "grader/Changes.h"
-#include "grader/Comparison.h"
+#include "grader/Mistake.h"
 #include "grader/JpegTolerance.h"
 #include "grader/PixelShift.h"
 #include "source/text/NumberText.h"

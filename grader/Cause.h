@@ -16,6 +16,9 @@ struct Cause {
   double share = 0;   // of the squared difference that it explains, 0 to 1
 };
 
+/// The share that must be explained for a cause to be named.
+inline constexpr double named_above = 0.8;
+
 /// Tries what needs no scene: every Mistake that has `of_image`, in either image, turns, orders of channels, a factor,
 /// a shift by up to a pixel in steps of a half, and what the formats of the two files lose. Named is the one that
 /// leaves the least squared difference of the values for a screen, if it explains more than `named_above` of it.

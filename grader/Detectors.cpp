@@ -20,25 +20,11 @@ bool IsOfOneColor(const R2::Image& image) {
   return true;
 }
 
-/// A sentence about an image that is black or has one color.
-std::optional<std::string> EmptyRemark(const R2::Image& image) {
-  if (std::ranges::all_of(image.Channels(), [](float channel) { return channel < dark; }))
-    return "The whole image is black. Does the camera look at the scene, and does a camera ray find a hit at t > 0?";
-  if (IsOfOneColor(image))
-    return "The whole image has one color. Is the color of each pixel stored, and are camera rays different?";
-  return {};
-}
-
-/// Where single pixels differ amid others that do not, by what they are instead.
-struct Specks {
-  std::int64_t darker = 0, background = 0;
-};
-
-Specks SpecksOf(const Submission& student, const Comparison& found, const SceneImages& images) {
-  Specks specks;
+/// The number of single pixels that show the background where a surface should be.
+std::int64_t BackgroundSpecks(const Submission& student, const Comparison& found, const SceneImages& images) {
+  std::int64_t count = 0;
   const R2::Image& expected = images.Reference();
-  const R2::Image& actual = student.image;
-  const int width = actual.Width(), height = actual.Height();
+  const int width = expected.Width(), height = expected.Height();
   const auto differs = [&](int x, int y) { return found.differs[static_cast<std::size_t>(y * width + x)]; };
   const R2::Color background = expected.At(0, height - 1);
   for (int y = 1; y + 1 < height; ++y)
@@ -47,11 +33,11 @@ Specks SpecksOf(const Submission& student, const Comparison& found, const SceneI
       int around = 0;
       for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) around += differs(x + i, y + j);
-      if (around > 5) continue;
-      if (Luminance(actual.At(x, y)) < 0.8 * Luminance(expected.At(x, y))) ++specks.darker;
-      if (!IsDark(expected.At(x, y)) && LargestChannel(actual.At(x, y) - background) < dark) ++specks.background;
+      constexpr int amid_others = 5;  // of nine
+      count += around <= amid_others && !IsDark(expected.At(x, y)) &&
+               LargestChannel(student.image.At(x, y) - background) < dark;
     }
-  return specks;
+  return count;
 }
 
 /// A mistake of the table.
@@ -64,34 +50,25 @@ std::string PercentOf(std::int64_t count, const Comparison& found) {
          "%";
 }
 
-/// A sentence about acne or cracks.
-std::optional<std::string> SpeckRemark(const Submission& student, const Comparison& found, const SceneImages& images) {
-  constexpr double share_of_specks = 0.002;  // of the steady pixels: 40 of an image of 160 x 120
-  if (images.CellSide() > 1) return {};
-  const Specks specks = SpecksOf(student, found, images);
-  const auto least = static_cast<std::int64_t>(share_of_specks * static_cast<double>(found.steady));
-  if (specks.background > least && 2 * specks.background > found.differing)
-    return "Cracks: single pixels (" + PercentOf(specks.background, found) +
-           ") show the background where a surface should be. A ray that meets an edge belongs to one of the two "
-           "triangles; a test with < on both sides lets it through.";
-  if (specks.darker > least && 2 * specks.darker > found.differing)
-    return "Shadow acne: single pixels (" + PercentOf(specks.darker, found) +
-           ") are too dark on lit, smooth surfaces. A shadow ray that starts on a surface meets it again by rounding; "
-           "start it a little off the surface.";
+}  // namespace
+
+std::optional<std::string> EmptyRemark(const R2::Image& image) {
+  if (std::ranges::all_of(image.Channels(), [](float channel) { return channel < dark; }))
+    return "The whole image is black. Does the camera look at the scene, and does a camera ray find a hit at t > 0?";
+  if (IsOfOneColor(image))
+    return "The whole image has one color. Is the color of each pixel stored, and are camera rays different?";
   return {};
 }
 
-}  // namespace
-
-// Mistakes come before specks: moved edges leave single dark pixels as well, and no mistake makes most of what acne
-// does.
-Verdict VerdictOn(const Submission& student, const Comparison& found, SceneImages& images) {
-  if (const auto remark = EmptyRemark(student.image)) return {.kind = Verdict::Kind::empty, .remark = *remark};
-  const Explanation explanation = Explain(student, images);
-  if (!explanation.mistakes.empty()) return {.kind = Verdict::Kind::mistakes, .explanation = explanation};
-  if (const auto remark = SpeckRemark(student, found, images))
-    return {.kind = Verdict::Kind::specks, .remark = *remark};
-  return {};
+std::optional<std::string> CrackRemark(const Submission& student, const Comparison& found, const SceneImages& images) {
+  constexpr double share_of_specks = 0.002;  // of the steady pixels: 40 of an image of 160 x 120
+  if (images.CellSide() > 1) return {};
+  const std::int64_t count = BackgroundSpecks(student, found, images);
+  const auto least = static_cast<std::int64_t>(share_of_specks * static_cast<double>(found.steady));
+  if (count <= least || 2 * count <= found.differing) return {};
+  return "Cracks: single pixels (" + PercentOf(count, found) +
+         ") show the background where a surface should be. A ray that meets an edge belongs to one of the two "
+         "triangles; a test with < on both sides lets it through.";
 }
 
 std::optional<std::string> TerminatorRemark(const Submission& student, const Comparison& found, SceneImages& images) {

@@ -76,6 +76,34 @@ fs::path ImageIn(const fs::path& folder, const fs::path& wanted) {
   return wanted;
 }
 
+/// The text quoted for a shell.
+std::string ShellWord(const std::string& text) { return "'" + ReplacedAll(text, "'", "'\\''") + "'"; }
+
+/// Copies folders, files and links; programs that are built need no devices or pipes. Throws fs::filesystem_error.
+void CopyFolder(const fs::path& from, const fs::path& to) {
+  fs::create_directory(to);
+  for (const auto& entry : fs::recursive_directory_iterator(from)) {
+    const fs::path place = to / entry.path().lexically_relative(from);
+    if (entry.is_symlink())
+      fs::copy_symlink(entry.path(), place);
+    else if (entry.is_directory())
+      fs::create_directory(place);
+    else if (entry.is_regular_file())
+      fs::copy_file(entry.path(), place);
+  }
+}
+
+/// Makes the user that programs run as the owner if the grader is the superuser.
+void GiveToSandbox(const fs::path& folder) {
+  if (geteuid() != 0) return;
+  const auto give = [](const fs::path& path) {
+    if (lchown(path.c_str(), sandbox_user, sandbox_user) != 0)
+      throw fs::filesystem_error("", path, {errno, std::generic_category()});
+  };
+  give(folder);
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) give(entry.path());
+}
+
 std::string SizeOf(const R2::Image& image) {
   return std::to_string(image.Width()) + " x " + std::to_string(image.Height());
 }
@@ -132,17 +160,64 @@ void Grader::Stage(const SuiteScene& scene) {
   std::ofstream(copy, std::ios::binary) << Varied(Contents(scene.file), scene, settings_.seed);
 }
 
+std::string Grader::MissingProgram(const std::string& student) const {
+  const std::string placeholder = "{student}/";
+  for (const std::string& word : settings_.command) {
+    std::error_code none;
+    if (word.starts_with(placeholder) && !fs::exists(ReplacedAll(word, "{student}", student), none))
+      return word.substr(placeholder.size());
+  }
+  return {};
+}
+
+void Grader::BuildCopy(const std::string& student, const fs::path& copy, StudentResult& result) {
+  try {
+    fs::remove_all(copy);
+    CopyFolder(student, copy);
+    GiveToSandbox(copy);
+  } catch (const fs::filesystem_error& error) {
+    result.problem = "was not built: " + error.path1().filename().string() + ": " + error.code().message();
+    return;
+  }
+  const Limits limits{.seconds = suite_.build_seconds, .memory = suite_.build_memory, .processes = 256};
+  const std::vector<fs::path> readable(suite_.readable.begin(), suite_.readable.end());
+  const RunResult ran =
+      sandbox_.Run({"/bin/sh", "-c", ReplacedAll(settings_.build, "{student}", ShellWord(copy.string()))}, copy,
+                   readable, limits, settings_.stop);
+  result.build_log = ReplacedAll(ran.output, copy.string() + "/", "");
+  const std::string missing = MissingProgram(copy.string());
+  if (!ran.IsGood())
+    result.problem = "was not built: the command " + settings_.build + " " + ran.Problem();
+  else if (!missing.empty())
+    result.problem = "was not built: the command " + settings_.build + " made no " + missing;
+}
+
 StudentResult Grader::Grade(const std::string& name, const std::string& student,
                             const std::function<void(const StudentResult&)>& done) {
   StudentResult result{.name = name, .scenes = {}};
+  std::string folder = student;
+  if (!settings_.build.empty()) {
+    folder = (folder_.Path() / "student").string();
+    BuildCopy(student, folder, result);
+  } else if (const std::string missing = MissingProgram(student); !missing.empty()) {
+    result.problem = "was not run: there is no " + missing + " in the folder";
+  }
   double used = 0;
+  std::vector<HandedIn> handed_in;
   for (std::size_t i = 0; i < scenes_.size(); ++i) {
     const double left = suite_.budget > 0 ? suite_.budget - used : suite_.scenes[i].seconds;
-    SceneResult scene = GradeScene(*scenes_[i], files_[i], student, left);
+    SceneResult scene = Begun(suite_.scenes[i]);
+    if (result.problem.empty())
+      handed_in.push_back(GradeScene(*scenes_[i], files_[i], folder, left, scene));
+    else
+      scene.headline = "The program " + result.problem + ".";
     if (settings_.stop && *settings_.stop) return result;
+    if (!handed_in.empty() && handed_in.back().runs.empty()) handed_in.pop_back();
+    if (!handed_in.empty()) handed_in.back().scene = i;
     result.scenes.push_back(std::move(scene));
     used += result.scenes.back().seconds;
     result.is_complete = i + 1 == scenes_.size();
+    if (result.is_complete) JudgeTogether(handed_in, suite_, result);
     done(result);
   }
   return result;
@@ -157,6 +232,7 @@ FetchedImage Grader::RunProgram(const SuiteScene& scene, const std::string& file
   const fs::path image = folder / ("image." + settings_.image_extension);
   std::vector<fs::path> readable(suite_.readable.begin(), suite_.readable.end());
   readable.push_back(fs::path(file).parent_path());
+  if (!student.empty()) readable.emplace_back(student);
   const Limits limits{.seconds = std::min(scene.seconds, seconds_left), .memory = suite_.memory};
   const RunResult ran =
       sandbox_.Run(FilledCommand(scene, file, student, image), folder, readable, limits, settings_.stop);
@@ -183,30 +259,33 @@ std::vector<std::string> Grader::FilledCommand(const SuiteScene& scene, const st
   return words;
 }
 
-SceneResult Grader::GradeScene(SceneImages& images, const std::string& file, const std::string& student,
-                               double seconds_left) {
-  const SuiteScene& scene = images.scene();
+SceneResult Grader::Begun(const SuiteScene& scene) {
   SceneResult result;
   result.scene = scene.name;
   result.title = scene.title.empty() ? scene.name : scene.title;
   result.teaches = scene.teaches;
   result.points = scene.points;
+  return result;
+}
+
+HandedIn Grader::GradeScene(SceneImages& images, const std::string& file, const std::string& student,
+                            double seconds_left, SceneResult& result) {
+  const SuiteScene& scene = images.scene();
+  HandedIn handed_in{&images, {}};
   const auto fail = [&](const std::string& problem) {
     result.headline = "The program " + problem + ".";
-    return result;
+    return HandedIn{&images, {}};
   };
   if (!(seconds_left > 0)) return fail("was not run: the time for all scenes together is used up");
-  std::vector<R2::Image> runs;
-  bool is_jpeg = false;
   for (int run = 0; run < scene.runs; ++run) {
     FetchedImage fetched = RunProgram(scene, file, student, seconds_left, result);
     if (!fetched.problem.empty()) return fail(fetched.problem);
-    is_jpeg |= fetched.is_jpeg;
-    runs.push_back(std::move(fetched.image));
+    handed_in.is_jpeg |= fetched.is_jpeg;
+    handed_in.runs.push_back(std::move(fetched.image));
   }
   result.program_output.clear();
-  Judge(runs, is_jpeg, suite_, images, result);
-  return result;
+  JudgeAlone(ExhibitsOf({&handed_in, 1}, Encoding::linear)[0], suite_, result);
+  return handed_in;
 }
 
 }  // namespace ray::grade

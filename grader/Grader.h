@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/Judge.h"
 #include "grader/Results.h"
 #include "grader/SceneImages.h"
 
@@ -15,6 +16,7 @@ namespace ray::grade {
 /// How students' programs are run.
 struct GraderSettings {
   std::vector<std::string> command;  // with {scene}, {image}, {width}, {height} and {student}
+  std::string build{};               // a line for the shell, with {student}; empty if programs need no build
   std::uint64_t seed = 0;            // 0: scenes as they are; else varied as the suite says
   Sandbox::Mode sandbox = Sandbox::Mode::automatic;
   std::string image_extension = "png";
@@ -47,18 +49,29 @@ class Grader {
   const Sandbox& sandbox() const { return sandbox_; }
   std::vector<std::unique_ptr<SceneImages>>& Scenes() { return scenes_; }
   const std::vector<std::string>& Command() const { return settings_.command; }
+  const std::string& Build() const { return settings_.build; }
   /// The suite and every file that a scene was read from.
   const std::vector<std::string>& Inputs() const { return inputs_; }
 
-  /// Runs the program of a student on every scene. `done` is called after each, with what is known so far, so that
-  /// nothing is lost when the grader is ended.
-  /// Where settings.stop ended it, the scenes that were not finished are left out, and it is not complete.
+  /// Returns the first missing file of a student's folder that the command names; empty if all exist.
+  std::string MissingProgram(const std::string& student) const;
+
+  /// Builds the program of a student if settings.build is set, and runs it on every scene. Calls `done` after each scene
+  /// with the result so far, so that a grader that is killed loses nothing. If settings.stop ends the run, the result
+  /// omits the remaining scenes and is not complete.
   ///   student   the folder that {student} stands for; empty for none
   StudentResult Grade(const std::string& name, const std::string& student,
                       const std::function<void(const StudentResult&)>& done);
 
  private:
-  SceneResult GradeScene(SceneImages& images, const std::string& file, const std::string& student, double seconds_left);
+  /// Builds a copy of the folder, which itself stays unchanged.
+  ///   result   gets the log, and the problem if there is one
+  void BuildCopy(const std::string& student, const std::filesystem::path& copy, StudentResult& result);
+  /// The result of a scene before the program is run.
+  static SceneResult Begun(const SuiteScene& scene);
+  /// Runs a student's program on a scene. Returns its images, empty if it failed, which `result` then says.
+  HandedIn GradeScene(SceneImages& images, const std::string& file, const std::string& student, double seconds_left,
+                      SceneResult& result);
   /// Runs a student's program once on a scene, and adds its seconds and what it printed to `result`.
   FetchedImage RunProgram(const SuiteScene& scene, const std::string& file, const std::string& student,
                           double seconds_left, SceneResult& result);
@@ -79,9 +92,5 @@ class Grader {
 
 /// The text of a scene with its variations; see SuiteScene::vary. Throws SceneErrors.
 std::string Varied(const std::string& text, const SuiteScene& scene, std::uint64_t seed);
-
-/// What a student's image is worth: everything about it but how it came to be.
-void Judge(const std::vector<R2::Image>& runs, bool is_jpeg, const Suite& suite, SceneImages& images,
-           SceneResult& result);
 
 }  // namespace ray::grade

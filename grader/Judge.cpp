@@ -1,4 +1,4 @@
-#include "grader/Grader.h"
+#include "grader/Judge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,77 +10,242 @@
 namespace ray::grade {
 namespace {
 
+using Outcome = SceneResult::Outcome;
+
 std::string Percent(double share) { return Rounded(100 * share, 3) + "%"; }
 
-std::string TitlesOf(const MistakeList& mistakes) {
-  std::string titles;
-  for (const Mistake* mistake : mistakes) titles += (titles.empty() ? "" : ", and ") + std::string(mistake->title);
-  return titles;
-}
-
-void Name(const Explanation& explanation, SceneResult& result) {
-  result.outcome = SceneResult::Outcome::known_mistake;
-  result.explained = explanation.share;
-  for (const Mistake* mistake : explanation.mistakes)
-    result.mistakes += (result.mistakes.empty() ? "" : "+") + std::string(mistake->name);
-  result.headline = Percent(result.percent / 100) +
-                    " of the pixels differ, as with: " + TitlesOf(explanation.mistakes) + " (" +
-                    Percent(explanation.share) + " of the difference).";
-  for (const Mistake* mistake : explanation.mistakes) {
-    result.remarks.push_back(std::string("Expected: ") + mistake->expected);
-    result.remarks.push_back(std::string("Look here: ") + mistake->hint);
-  }
-  if (explanation.alternatives.empty() || explanation.mistakes.size() > 1) return;
-  std::string others;
-  for (const Mistake* mistake : explanation.alternatives)
-    others += (others.empty() ? "" : "; ") + std::string(mistake->title);
-  result.remarks.push_back("In this scene it looks the same as: " + others + ".");
-}
+std::string Differing(const SceneResult& result) { return Percent(result.percent / 100) + " of the pixels differ"; }
 
 /// Full points where all is well. Else fewer the more pixels differ, and never fewer than for known mistakes.
-double ScoreOf(const SceneResult& result, const Suite& suite, const SuiteScene& scene) {
+double ScoreOf(const SceneResult& result, const Suite& suite) {
   constexpr double worthless = 25;  // percent of the pixels that differ
-  if (result.outcome == SceneResult::Outcome::right) return scene.points;
+  if (result.outcome == Outcome::right) return result.points;
   const double kept = std::clamp(1 - result.percent / worthless, 0.0, 1.0);
-  const bool is_known = result.outcome == SceneResult::Outcome::known_mistake;
-  return scene.points * std::max(kept, is_known ? suite.explained : 0.0);
+  return result.points * std::max(kept, result.outcome == Outcome::known_mistake ? suite.explained : 0.0);
+}
+
+std::string JoinedWith(const std::vector<std::string>& words, const char* between) {
+  std::string joined;
+  for (const std::string& word : words) joined += (joined.empty() ? "" : between) + word;
+  return joined;
+}
+
+std::vector<std::string> HintsOf(const Hypothesis& causes) {
+  std::vector<std::string> hints;
+  for (const Mistake* mistake : causes.mistakes) {
+    hints.push_back(std::string("Expected: ") + mistake->expected);
+    hints.push_back(std::string("Look here: ") + mistake->hint);
+  }
+  if (causes.tone) hints.push_back("Look here: " + causes.tone->hint);
+  return hints;
+}
+
+R2::Image Decoded(const R2::Image& image, Encoding encoding) {
+  switch (encoding) {
+    case Encoding::linear:
+      return image;
+    case Encoding::srgb:
+      return DecodedFromSrgb(image);
+    case Encoding::power:
+      return DecodedFromPower(image);
+  }
+  return image;
+}
+
+/// A sentence about acne, if there is any.
+std::optional<std::string> AcneRemark(double percent) {
+  if (!(percent > 0)) return {};
+  return "Shadow acne: single pixels (" + Rounded(percent, 2) +
+         "%) are too dark on lit, smooth surfaces. A shadow ray that starts on a surface meets it again by rounding; "
+         "start it a little off the surface.";
+}
+
+/// Sets the outcome and the remarks of a scene that differs by the verdict on all scenes.
+void ApplyTo(SceneResult& result, const Exhibit& exhibit, const Diagnosis& diagnosis, std::size_t i) {
+  const bool is_named = diagnosis.kind == Diagnosis::Kind::named;
+  result.remarks.clear();
+  const auto terminator = is_named && diagnosis.explains[i] && diagnosis.shown[i].Size() > 0
+                              ? std::nullopt
+                              : TerminatorRemark(exhibit.student, exhibit.found, *exhibit.images);
+  if (terminator) {
+    result.remarks.push_back(*terminator);
+    result.note = "terminator";
+  } else if (const auto acne = AcneRemark(diagnosis.specks[i])) {
+    result.remarks.push_back(*acne);
+    result.note = "acne";
+  }
+  if (is_named && diagnosis.explains[i] && diagnosis.shown[i].Size() > 0) {
+    result.outcome = Outcome::known_mistake;
+    result.mistakes = diagnosis.shown[i].Names();
+    result.explained = diagnosis.share;
+    result.headline = Differing(result) + ", as with: " + diagnosis.shown[i].Titles() + ".";
+  } else if (!diagnosis.explains[i] && result.note.empty()) {
+    if (const auto cracks = CrackRemark(exhibit.student, exhibit.found, *exhibit.images)) {
+      result.remarks.push_back(*cracks);
+      result.note = "cracks";
+    } else {
+      result.remarks.emplace_back(
+          is_named && diagnosis.shown[i].Size() > 0
+              ? "The cause above explains a part of it. Begin with the pixel below."
+              : "No mistake that raygrade knows makes such an image. Begin with the pixel below: "
+                "what do your rays do there?");
+    }
+  }
+}
+
+/// The scene whose worst pixel differs most, of those that the causes explain.
+std::string BestScene(std::span<const Exhibit> exhibits, const Diagnosis& diagnosis) {
+  const Exhibit* best = nullptr;
+  for (std::size_t i = 0; i < exhibits.size(); ++i)
+    if (!exhibits[i].is_right && diagnosis.shown[i].Size() > 0 &&
+        (diagnosis.explains[i] || diagnosis.kind != Diagnosis::Kind::named) &&
+        (!best || exhibits[i].found.worst > best->found.worst))
+      best = &exhibits[i];
+  return best ? best->images->scene().name : "";
+}
+
+StudentVerdict VerdictOf(std::span<const Exhibit> exhibits, const Diagnosis& diagnosis) {
+  StudentVerdict verdict;
+  const bool is_right = std::ranges::all_of(exhibits, [](const Exhibit& exhibit) { return exhibit.is_right; });
+  std::vector<std::string> shown_by, unexplained;
+  for (std::size_t i = 0; i < exhibits.size(); ++i) {
+    if (exhibits[i].is_right) continue;
+    const std::string& name = exhibits[i].images->scene().name;
+    if (!diagnosis.explains[i])
+      unexplained.push_back(name);
+    else if (diagnosis.shown[i].Size() > 0)
+      shown_by.push_back(name);
+  }
+  switch (diagnosis.kind) {
+    case Diagnosis::Kind::right:
+      verdict.headline = is_right ? "All images are right." : "All that differs is shadow acne.";
+      return verdict;
+    case Diagnosis::Kind::named: {
+      verdict.headline = "Cause: " + diagnosis.causes.Titles() + ".";
+      verdict.mistakes = diagnosis.causes.Names();
+      verdict.scenes = shown_by;
+      verdict.best_scene = BestScene(exhibits, diagnosis);
+      verdict.remarks = HintsOf(diagnosis.causes);
+      if (!unexplained.empty())
+        verdict.remarks.push_back("It does not explain all that differs in: " + JoinedWith(unexplained, ", ") + ".");
+      std::vector<std::string> others;
+      for (const Hypothesis& other : diagnosis.alternatives) others.push_back(other.Titles());
+      if (!others.empty())
+        verdict.remarks.push_back("In these scenes it looks the same as: " + JoinedWith(others, "; ") + ".");
+      return verdict;
+    }
+    case Diagnosis::Kind::resembles:
+      verdict.headline = "The images look most like this, but not all of it: " + diagnosis.causes.Titles() + " (" +
+                         Percent(diagnosis.share) + " of the difference).";
+      verdict.remarks = HintsOf(diagnosis.causes);
+      verdict.best_scene = BestScene(exhibits, diagnosis);
+      return verdict;
+    case Diagnosis::Kind::unknown:
+      verdict.headline = "No cause that raygrade knows explains what differs.";
+      return verdict;
+  }
+  return verdict;
 }
 
 }  // namespace
 
-void Judge(const std::vector<R2::Image>& runs, bool is_jpeg, const Suite& suite, SceneImages& images,
-           SceneResult& result) {
-  const Submission student = MakeSubmission(runs, is_jpeg, images);
-  const Comparison found = Compare(student, images);
+Encoding EncodingOf(std::span<const HandedIn> handed_in) {
+  // Surfaces that a mistake changes are right with neither; backgrounds alone are often a third of an image.
+  constexpr double least_right = 0.2, clearly = 0.15;  // of the steady pixels
+  const auto right_with = [&](Encoding encoding) {
+    double steady = 0, right = 0;
+    for (const Exhibit& exhibit : ExhibitsOf(handed_in, encoding)) {
+      steady += static_cast<double>(exhibit.found.steady);
+      right += static_cast<double>(exhibit.found.steady - exhibit.found.differing);
+    }
+    return steady > 0 ? right / steady : 0;
+  };
+  const double linear = right_with(Encoding::linear);
+  const double srgb = right_with(Encoding::srgb), power = right_with(Encoding::power);
+  const double best = std::max(srgb, power);
+  if (!(best > least_right && best > linear + clearly)) return Encoding::linear;
+  return srgb >= power ? Encoding::srgb : Encoding::power;
+}
+
+std::vector<Exhibit> ExhibitsOf(std::span<const HandedIn> handed_in, Encoding encoding) {
+  std::vector<Exhibit> exhibits;
+  for (const HandedIn& one : handed_in) {
+    std::vector<R2::Image> runs;
+    for (const R2::Image& run : one.runs) runs.push_back(Decoded(run, encoding));
+    exhibits.push_back(MakeExhibit(*one.images, MakeSubmission(runs, one.is_jpeg, *one.images)));
+  }
+  return exhibits;
+}
+
+void JudgeAlone(const Exhibit& exhibit, const Suite& suite, SceneResult& result) {
+  SceneImages& images = *exhibit.images;
+  const Comparison& found = exhibit.found;
   result.percent = found.Percent();
   result.expected = images.Reference();
-  result.actual = student.image;
-  result.difference = R2::SignedDifference(student.image, images.Reference());
-  if (result.percent <= images.scene().allowed) {
-    result.outcome = SceneResult::Outcome::right;
+  result.actual = exhibit.student.image;
+  result.difference = R2::SignedDifference(exhibit.student.image, images.Reference());
+  result.worst_x = result.worst_y = -1;
+  if (exhibit.is_right) {
+    result.outcome = Outcome::right;
     result.headline = found.differing == 0 ? "The image is right."
-                                           : "The image is right, but for " + Percent(result.percent / 100) +
+                                           : "The image is right, except for " + Percent(result.percent / 100) +
                                                  " of its pixels, which is allowed.";
   } else {
+    result.outcome = Outcome::different;
+    result.headline = Differing(result) + ".";
     result.worst_x = found.worst_x, result.worst_y = found.worst_y;
     result.ray_tree = images.RayTreeAt(found.worst_x, found.worst_y);
-    const Verdict verdict = VerdictOn(student, found, images);
-    if (verdict.kind == Verdict::Kind::mistakes) {
-      Name(verdict.explanation, result);
-    } else {
-      result.outcome = SceneResult::Outcome::different;
-      result.headline = Percent(result.percent / 100) + " of the pixels differ.";
-      if (!verdict.remark.empty())
-        result.remarks.push_back(verdict.remark);
-      else if (const auto remark = TerminatorRemark(student, found, images))
-        result.remarks.push_back(*remark);
-      else
-        result.remarks.push_back(
-            "No mistake that raygrade knows makes such an image. Begin with the pixel below: what do your "
-            "rays do there?");
-    }
   }
-  result.score = ScoreOf(result, suite, images.scene());
+  result.score = ScoreOf(result, suite);
+}
+
+Findings JudgeTogether(std::span<const HandedIn> handed_in, const Suite& suite, StudentResult& student) {
+  const Encoding encoding = EncodingOf(handed_in);
+  std::vector<Exhibit> exhibits = ExhibitsOf(handed_in, encoding);
+  std::vector<std::size_t> scenes;
+  std::string empty;
+  std::vector<Exhibit> kept;
+  for (std::size_t i = 0; i < exhibits.size(); ++i) {
+    SceneResult& result = student.scenes[handed_in[i].scene];
+    JudgeAlone(exhibits[i], suite, result);
+    const auto remark = exhibits[i].is_right ? std::nullopt : EmptyRemark(exhibits[i].student.image);
+    if (remark) {
+      result.remarks = {*remark};
+      result.note = "empty";
+      empty = *remark;
+      continue;
+    }
+    scenes.push_back(handed_in[i].scene);
+    kept.push_back(std::move(exhibits[i]));
+  }
+  StudentVerdict& verdict = student.verdict;
+  if (kept.empty()) {
+    verdict = {};
+    verdict.headline = !empty.empty() ? empty : "There is no image to compare.";
+    return {encoding, {}};
+  }
+  const Diagnosis diagnosis = Diagnose(kept);
+  verdict = VerdictOf(kept, diagnosis);
+  std::vector<std::string> with_acne, failed;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    SceneResult& result = student.scenes[scenes[i]];
+    if (!kept[i].is_right) ApplyTo(result, kept[i], diagnosis, i);
+    result.score = ScoreOf(result, suite);
+    if (result.note == "acne") with_acne.push_back(result.scene);
+  }
+  for (const SceneResult& result : student.scenes)
+    if (result.outcome == Outcome::failed) failed.push_back(result.scene);
+  if (!with_acne.empty()) verdict.remarks.push_back("Shadow acne in: " + JoinedWith(with_acne, ", ") + ".");
+  if (!empty.empty()) verdict.remarks.push_back("Some images have a single color.");
+  if (!failed.empty()) {
+    if (diagnosis.kind == Diagnosis::Kind::right) verdict.headline = "All images that there are are right.";
+    verdict.remarks.push_back("Without an image: " + JoinedWith(failed, ", ") + ".");
+  }
+  if (encoding != Encoding::linear)
+    verdict.remarks.push_back(std::string("The images are gamma encoded (") +
+                              (encoding == Encoding::srgb ? "sRGB" : "power 1/2.2") +
+                              "). This costs no points: it is undone before they are compared.");
+  return {encoding, diagnosis};
 }
 
 }  // namespace ray::grade

@@ -2,87 +2,90 @@
 
 #include <algorithm>
 
-#include "grader/Comparison.h"
-#include "grader/Detectors.h"
+#include "grader/Judge.h"
 #include "source/sample/Random.h"
+#include "source/text/NumberText.h"
 
 namespace ray::grade {
 namespace {
 
-std::string NamesOf(const MistakeList& mistakes) {
-  std::string names;
-  for (const Mistake* mistake : mistakes) names += (names.empty() ? "" : "+") + std::string(mistake->name);
-  return names;
+/// True if the two hypotheses make, to the grader's eye, the same image of every scene.
+bool LookAlike(std::vector<std::unique_ptr<SceneImages>>& scenes, const Hypothesis& a, const Hypothesis& b) {
+  return std::ranges::all_of(scenes, [&](const auto& images) {
+    const R2::Image first = ImageWith(*images, a), second = ImageWith(*images, b);
+    const Submission student = MakeSubmission({first}, false, *images);
+    return Compare(student, images->Cells(second), *images).Percent() <= images->scene().allowed;
+  });
 }
 
-/// Whether the image with these mistakes is, to the grader's eye, that with the others.
-bool LookAlike(SceneImages& images, const MistakeList& a, const MistakeList& b) {
-  if (std::ranges::is_permutation(a, b)) return true;
-  const auto first = images.With(a), second = images.With(b);
-  if (!first || !second) return false;
-  constexpr double alike = 0.9;
-  const auto share = ShareExplained(MakeSubmission({*first}, false, images), images, b);
-  return share && *share > alike;
-}
-
-enum class Outcome { by_name, right, told, wrong, silent, invisible };
-
-struct Tried {
-  Outcome outcome;
-  std::string text;
-};
-
-Tried Try(SceneImages& images, const MistakeList& mistakes) {
-  if (!IsVisible(images, mistakes)) return {Outcome::invisible, "-"};
-  const Submission student = MakeSubmission({images.AsOfAnother(mistakes)}, false, images);
-  const Verdict verdict = VerdictOn(student, Compare(student, images), images);
-  switch (verdict.kind) {
-    case Verdict::Kind::empty:
-      return {Outcome::told, "told"};
-    case Verdict::Kind::specks:
-      return {Outcome::wrong, "WRONG: " + verdict.remark};
-    case Verdict::Kind::unknown:
-      return {Outcome::silent, "silent"};
-    case Verdict::Kind::mistakes:
-      break;
-  }
-  const Explanation& found = verdict.explanation;
-  MistakeList any = found.alternatives;
-  const bool is_among = mistakes.size() == 1 && std::ranges::find(any, mistakes[0]) != any.end();
-  if (std::ranges::is_permutation(mistakes, found.mistakes)) return {Outcome::by_name, "right"};
-  if (is_among || LookAlike(images, mistakes, found.mistakes))
-    return {Outcome::right, "right, as " + NamesOf(found.mistakes)};
-  return {Outcome::wrong, "WRONG: " + NamesOf(found.mistakes)};
-}
-
-void TryInEach(std::vector<std::unique_ptr<SceneImages>>& scenes, const MistakeList& mistakes, MatrixCounts& counts) {
-  std::string line = NamesOf(mistakes) + ":";
-  bool is_seen = false;
+/// The scenes of a student who made these mistakes.
+std::vector<HandedIn> ImagesOf(std::vector<std::unique_ptr<SceneImages>>& scenes, const MistakeList& mistakes) {
+  std::vector<HandedIn> handed_in;
   for (const auto& images : scenes) {
-    const Tried tried = Try(*images, mistakes);
-    line += "  " + images->scene().name + " " + tried.text;
-    is_seen |= tried.outcome != Outcome::invisible;
-    counts.by_name += tried.outcome == Outcome::by_name;
-    counts.right += tried.outcome == Outcome::right || tried.outcome == Outcome::by_name;
-    counts.told += tried.outcome == Outcome::told;
-    counts.wrong += tried.outcome == Outcome::wrong;
-    counts.silent += tried.outcome == Outcome::silent;
+    R2::Image image = images->AsOfAnother(mistakes);
+    // What cannot be made in a scene leaves it as it is.
+    if (image.Width() == 0) image = images->AsOfAnother({});
+    handed_in.push_back({images.get(), {image}, false, handed_in.size()});
   }
-  counts.invisible += !is_seen;
-  counts.lines.push_back(line);
+  return handed_in;
+}
+
+/// "sphere 24%": the scenes that the mistakes change visibly.
+std::string ShownBy(std::vector<std::unique_ptr<SceneImages>>& scenes, const MistakeList& mistakes, double& most) {
+  std::string text;
+  for (const auto& images : scenes) {
+    const double percent = PercentChanged(*images, mistakes);
+    most = std::max(most, percent);
+    if (percent > images->scene().allowed)
+      text += (text.empty() ? "" : ", ") + images->scene().name + " " + Rounded(percent, 2) + "%";
+  }
+  return text;
+}
+
+void TryOne(std::vector<std::unique_ptr<SceneImages>>& scenes, const Suite& suite, const MistakeList& mistakes,
+            MatrixCounts& counts) {
+  const Hypothesis made{mistakes, {}};
+  MatrixRow row{made.Names(), {}, 0, MatrixRow::Outcome::invisible, {}};
+  row.shown_by = ShownBy(scenes, mistakes, row.percent);
+  if (!row.shown_by.empty()) {
+    StudentResult student;
+    student.scenes.resize(suite.scenes.size());
+    const Findings findings = JudgeTogether(ImagesOf(scenes, mistakes), suite, student);
+    using enum MatrixRow::Outcome;
+    row.named = student.verdict.mistakes;
+    if (findings.diagnosis && findings.diagnosis->kind == Diagnosis::Kind::named) {
+      const bool is_same = findings.diagnosis->causes.Names() == row.mistakes ||
+                           (!findings.diagnosis->causes.tone &&
+                            std::ranges::is_permutation(findings.diagnosis->causes.mistakes, mistakes));
+      row.outcome = is_same ? by_name : LookAlike(scenes, made, findings.diagnosis->causes) ? same_image : wrong;
+    } else if (row.mistakes == "gamma" && findings.encoding != Encoding::linear) {
+      row.outcome = by_name;
+      row.named = row.mistakes;
+    } else {
+      row.outcome = !findings.diagnosis ? empty : silent;
+    }
+  }
+  ++counts.of[static_cast<std::size_t>(row.outcome)];
+  counts.rows.push_back(std::move(row));
 }
 
 }  // namespace
 
-MatrixCounts TryMistakes(std::vector<std::unique_ptr<SceneImages>>& scenes, int pairs) {
+std::string MatrixRow::Text() const {
+  static constexpr std::array words{"right", "right, as ", "one color", "WRONG: ", "silent", "in no scene visible"};
+  const std::string other = outcome == Outcome::same_image || outcome == Outcome::wrong ? named : "";
+  return mistakes + ": " + words[static_cast<std::size_t>(outcome)] + other + (shown_by.empty() ? "" : "; " + shown_by);
+}
+
+MatrixCounts TryMistakes(std::vector<std::unique_ptr<SceneImages>>& scenes, const Suite& suite, int pairs) {
   MatrixCounts counts;
-  for (const Mistake* mistake : Mistakes()) TryInEach(scenes, {mistake}, counts);
+  for (const Mistake* mistake : Mistakes()) TryOne(scenes, suite, {mistake}, counts);
   const auto count = Mistakes().size();
   for (int i = 0; i < pairs; ++i) {
     const RandomKey key = RandomKey(7).Child(static_cast<std::uint64_t>(i));
     const Mistake* first = Mistakes()[key.Child(1).Bits() % count];
     const Mistake* second = Mistakes()[key.Child(2).Bits() % count];
-    if (first != second) TryInEach(scenes, {first, second}, counts);
+    if (first != second) TryOne(scenes, suite, {first, second}, counts);
   }
   return counts;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -7,20 +9,35 @@
 
 namespace ray::grade {
 
-/// What is said of students who made known mistakes: our own image with the mistakes, from a camera a little aside, and
-/// of 8 bits.
-struct MatrixCounts {
-  int right = 0;      // named, or one that looks the same in the scene
-  int by_name = 0;    // of these, named itself
-  int told = 0;       // black, or of one color, which a rule says before mistakes are tried
-  int wrong = 0;      // another one is named, or something that is not there
-  int silent = 0;     // visible, and none is named
-  int invisible = 0;  // no scene shows it
+/// The verdict on a student who made known mistakes. The images are our own with the mistakes, from a camera a little
+/// aside, and of 8 bits.
+struct MatrixRow {
+  enum class Outcome {
+    by_name,     // named
+    same_image,  // a cause that makes the same images is named
+    empty,       // the images are black or of one color, which a rule says before mistakes are tried
+    wrong,       // another cause is named
+    silent,      // none is named
+    invisible    // no scene shows it
+  };
 
-  std::vector<std::string> lines;  // one per mistake: its name, then what is said in each scene
+  std::string mistakes;  // their names
+  std::string shown_by;  // the scenes that they change, with the percentage of pixels
+  double percent = 0;    // of the pixels that they change in the scene that shows them best
+  Outcome outcome = Outcome::invisible;
+  std::string named;
+
+  std::string Text() const;
 };
 
-/// Tries every mistake of the table in each scene; with `pairs` above 0 so many pairs as well, chosen by a seed.
-MatrixCounts TryMistakes(std::vector<std::unique_ptr<SceneImages>>& scenes, int pairs);
+struct MatrixCounts {
+  std::array<int, 6> of{};  // by outcome
+  std::vector<MatrixRow> rows;
+
+  int Count(MatrixRow::Outcome outcome) const { return of[static_cast<std::size_t>(outcome)]; }
+};
+
+/// Tries every mistake of the table, and `pairs` pairs of them that are chosen by a seed.
+MatrixCounts TryMistakes(std::vector<std::unique_ptr<SceneImages>>& scenes, const Suite& suite, int pairs);
 
 }  // namespace ray::grade

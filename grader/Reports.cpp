@@ -21,7 +21,8 @@ const char* NameOf(SceneResult::Outcome outcome) { return outcome_names[static_c
 std::string PointsText(double points) { return Rounded(points, 4); }
 
 std::string Figure(const R2::Image& image, const std::string& caption) {
-  return "<figure class=\"third\">" + ImageTag(image, caption) + "<figcaption>" + HtmlOf(caption) + "</figcaption></figure>\n";
+  return "<figure class=\"third\">" + ImageTag(image, caption) + "<figcaption>" + HtmlOf(caption) +
+         "</figcaption></figure>\n";
 }
 
 std::string Paragraphs(const std::vector<std::string>& sentences) {
@@ -34,7 +35,8 @@ std::string WorstPixel(const SceneResult& scene) {
   if (scene.worst_x < 0) return {};
   constexpr int reach = 6, scale = 12;
   const std::string where = std::to_string(scene.worst_x) + " " + std::to_string(scene.worst_y);
-  return "<h3>The pixel that differs most clearly: " + where + " (from the lower left)</h3>\n" +
+  return "<h3>The pixel that differs most clearly in " + HtmlOf(scene.title) + ": " + where +
+         " (from the lower left)</h3>\n" +
          Figure(CropAround(scene.expected, scene.worst_x, scene.worst_y, reach, scale), "expected") +
          Figure(CropAround(scene.actual, scene.worst_x, scene.worst_y, reach, scale), "yours") +
          "<p>What rays do there in a correct program, and what each of them contributes:</p><pre>" +
@@ -46,7 +48,16 @@ std::string ProgramOutput(const SceneResult& scene) {
   return "<p>What the program printed:</p><pre>" + HtmlOf(scene.program_output.substr(0, 4000)) + "</pre>\n";
 }
 
-std::string SceneSection(const SceneResult& scene) {
+std::string BuildSection(const StudentResult& student) {
+  if (student.build_log.empty() && student.problem.empty()) return {};
+  const bool is_built = student.problem.empty();
+  const std::string log = student.build_log.empty() ? "" : "<pre>" + HtmlOf(student.build_log) + "</pre>\n";
+  return "<h2>Build</h2>\n<p class=\"" + std::string(is_built ? "right" : "failed") + "\">" +
+         HtmlOf(is_built ? "The program was built." : "The program " + student.problem + ".") + "</p>\n" + log;
+}
+
+///   pixel   false where the page shows it elsewhere
+std::string SceneSection(const SceneResult& scene, bool pixel = true) {
   std::string html = "<h2 id=\"" + HtmlOf(scene.scene) + "\">" + HtmlOf(scene.title) + ": " + PointsText(scene.score) +
                      " of " + PointsText(scene.points) + " points</h2>\n";
   if (!scene.teaches.empty()) html += "<p><em>" + HtmlOf(scene.teaches) + "</em></p>\n";
@@ -55,14 +66,38 @@ std::string SceneSection(const SceneResult& scene) {
   if (scene.expected.Width() > 0)
     html += Figure(scene.expected, "expected") + Figure(scene.actual, "yours") +
             Figure(scene.difference, "difference times 4: red too bright, blue too dark");
-  return html + WorstPixel(scene);
+  return pixel ? html + WorstPixel(scene) : html;
+}
+
+std::string SceneLink(const std::string& scene, const std::string& title) {
+  return "<a href=\"#" + HtmlOf(scene) + "\">" + HtmlOf(title) + "</a>";
+}
+
+/// The verdict, the scenes that show it, and the pixel that shows it best.
+std::string VerdictSection(const StudentResult& student) {
+  const StudentVerdict& verdict = student.verdict;
+  if (verdict.headline.empty()) return {};
+  const bool is_right = student.Score() == student.Points();
+  std::string html = "<p class=\"" +
+                     std::string(is_right                   ? "right"
+                                 : verdict.mistakes.empty() ? "different"
+                                                            : "known") +
+                     "\"><strong>" + HtmlOf(verdict.headline) + "</strong></p>\n" + Paragraphs(verdict.remarks);
+  std::string links, pixel;
+  for (const SceneResult& scene : student.scenes) {
+    if (std::ranges::find(verdict.scenes, scene.scene) != verdict.scenes.end())
+      links += (links.empty() ? "" : ", ") + SceneLink(scene.scene, scene.title);
+    if (scene.scene == verdict.best_scene) pixel = WorstPixel(scene);
+  }
+  if (!links.empty()) html += "<p>Shown by: " + links + ".</p>\n";
+  return html + pixel;
 }
 
 std::string Overview(const StudentResult& student) {
   std::string html = "<table><tr><th>scene<th>points<th>result</tr>\n";
   for (const SceneResult& scene : student.scenes)
-    html += "<tr class=\"" + std::string(NameOf(scene.outcome)) + "\"><td><a href=\"#" + HtmlOf(scene.scene) + "\">" +
-            HtmlOf(scene.title) + "</a><td class=\"n\">" + PointsText(scene.score) + " / " + PointsText(scene.points) +
+    html += "<tr class=\"" + std::string(NameOf(scene.outcome)) + "\"><td>" + SceneLink(scene.scene, scene.title) +
+            "<td class=\"n\">" + PointsText(scene.score) + " / " + PointsText(scene.points) +
             "<td>" + HtmlOf(scene.headline) + "</tr>\n";
   return html + "</table>\n";
 }
@@ -75,6 +110,7 @@ Json JsonOf(const SceneResult& scene) {
           {"outcome", NameOf(scene.outcome)},
           {"headline", scene.headline},
           {"mistakes", scene.mistakes},
+          {"note", scene.note},
           {"explained", scene.explained},
           {"percent", scene.percent},
           {"seconds", scene.seconds}};
@@ -88,6 +124,7 @@ SceneResult ResultOf(const Json& json) {
   json.at("score").get_to(scene.score);
   json.at("headline").get_to(scene.headline);
   json.at("mistakes").get_to(scene.mistakes);
+  json.at("note").get_to(scene.note);
   json.at("explained").get_to(scene.explained);
   json.at("percent").get_to(scene.percent);
   json.at("seconds").get_to(scene.seconds);
@@ -143,12 +180,15 @@ double StudentResult::Points() const {
 }
 
 std::string StudentPage(const StudentResult& student, const Suite& suite, const std::string& sandbox) {
-  std::string body = "<p>" + PointsText(student.Score()) + " of " + PointsText(suite.Points()) + " points.</p>\n" +
-                     Overview(student) +
-                     "<p>Compared are steady pixels: those that stay as they are when the camera is moved by less than "
-                     "half a pixel. Differences of rounding, and at edges, do not count. A mistake is named where it "
-                     "explains more than 80% of the difference.</p>\n";
-  for (const SceneResult& scene : student.scenes) body += SceneSection(scene);
+  std::string body =
+      "<p>" + PointsText(student.Score()) + " of " + PointsText(suite.Points()) + " points.</p>\n" +
+      VerdictSection(student) + Overview(student) +
+      "<p>Compared are steady pixels: those that stay as they are when the camera is moved by less than "
+      "half a pixel. Differences of rounding, and at edges, do not count. A cause is named if it explains "
+      "more than 95% of the difference in every scene that it changes.</p>\n";
+  body += BuildSection(student);
+  for (const SceneResult& scene : student.scenes)
+    body += SceneSection(scene, scene.scene != student.verdict.best_scene);
   return Page(suite.name + (student.name.empty() ? "" : ": " + student.name),
               body + "<p>" + HtmlOf(sandbox) + "</p>\n");
 }
@@ -166,8 +206,19 @@ std::string ResultsJson(const StudentResult& student, const std::string& identit
                              {"visibility", "visible"}});
     scenes.push_back(JsonOf(scene));
   }
-  json["extra_data"] = {
-      {"graded_by", identity}, {"student", student.name}, {"complete", student.is_complete}, {"scenes", scenes}};
+  json["output"] = VerdictSection(student) + BuildSection(student);
+  json["output_format"] = "html";
+  const StudentVerdict& verdict = student.verdict;
+  json["extra_data"] = {{"graded_by", identity},
+                        {"student", student.name},
+                        {"complete", student.is_complete},
+                        {"problem", student.problem},
+                        {"verdict",
+                         {{"headline", verdict.headline},
+                          {"remarks", verdict.remarks},
+                          {"mistakes", verdict.mistakes},
+                          {"scenes", verdict.scenes}}},
+                        {"scenes", scenes}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -178,6 +229,12 @@ std::optional<StudentResult> ReadResultsJson(const std::string& text, const std:
     StudentResult student;
     json.at("student").get_to(student.name);
     json.at("complete").get_to(student.is_complete);
+    json.at("problem").get_to(student.problem);
+    const Json& verdict = json.at("verdict");
+    verdict.at("headline").get_to(student.verdict.headline);
+    verdict.at("remarks").get_to(student.verdict.remarks);
+    verdict.at("mistakes").get_to(student.verdict.mistakes);
+    verdict.at("scenes").get_to(student.verdict.scenes);
     for (const Json& scene : json.at("scenes")) student.scenes.push_back(ResultOf(scene));
     return student;
   } catch (const Json::exception&) {

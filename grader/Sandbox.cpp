@@ -30,8 +30,6 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_kept_output = 16384;  // bytes
-// Whom nobody else is, where the grader is the superuser: limits on processes count all that one user has.
-constexpr uid_t fresh_user = 61184;
 constexpr double cpu_seconds_per_second = 4;  // that several threads may use together
 
 bool IsSuperuser() { return geteuid() == 0; }
@@ -52,10 +50,11 @@ rlim_t ThreadsOfUser() {
   return count;
 }
 
-void Limit(int resource, rlim_t most) {
-  const rlimit limit{most, most};
+void Limit(int resource, rlim_t most, rlim_t hard) {
+  const rlimit limit{most, hard};
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
 }
+void Limit(int resource, rlim_t most) { Limit(resource, most, most); }
 
 rlim_t CpuSeconds(const Limits& limits) {
   return static_cast<rlim_t>(std::ceil(cpu_seconds_per_second * limits.seconds)) + 1;
@@ -67,7 +66,7 @@ rlim_t MemoryBytes(const Limits& limits) { return static_cast<rlim_t>(limits.mem
 void ApplyLimits(const Limits& limits) {
   Limit(RLIMIT_CORE, 0);
   Limit(RLIMIT_FSIZE, static_cast<rlim_t>(limits.file_bytes));
-  Limit(RLIMIT_CPU, CpuSeconds(limits));
+  Limit(RLIMIT_CPU, CpuSeconds(limits), CpuSeconds(limits) + 1);  // SIGXCPU, which says why, comes before SIGKILL
   Limit(RLIMIT_AS, MemoryBytes(limits));
 }
 
@@ -124,13 +123,18 @@ void KillOrphans(const std::set<pid_t>& earlier) {
 struct Command {
   Command(const std::vector<std::string>& its_words, const fs::path& folder)
       : words(its_words),
-        variables{"PATH=/usr/local/bin:/usr/bin:/bin", "HOME=" + folder.string(), "TMPDIR=" + folder.string(),
+        variables{Path(), "HOME=" + folder.string(), "TMPDIR=" + folder.string(),
                   "LANG=C.UTF-8"},
         arguments(Pointers(words)),
         environment(Pointers(variables)) {}
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;
 
+  static std::string Path() {
+    std::string path;
+    for (const char* place : program_folders) path += (path.empty() ? "PATH=" : ":") + std::string(place);
+    return path;
+  }
   static std::vector<char*> Pointers(std::vector<std::string>& texts) {
     std::vector<char*> pointers;
     for (std::string& text : texts) pointers.push_back(text.data());
@@ -161,7 +165,7 @@ void Say(const char* text) {
   if (!is_wrapped) ApplyLimits(limits);
   if (!is_wrapped) Limit(RLIMIT_NPROC, processes);
   if (!is_wrapped && IsSuperuser() &&
-      (setgroups(0, nullptr) != 0 || setgid(fresh_user) != 0 || setuid(fresh_user) != 0))
+      (setgroups(0, nullptr) != 0 || setgid(sandbox_user) != 0 || setuid(sandbox_user) != 0))
     _exit(126);
   execvpe(command.arguments[0], command.arguments.data(), command.environment.data());
   const char* const why = std::strerror(errno);  // allocates for unknown errors only
@@ -179,6 +183,7 @@ class Watch {
     int wait_status = 0;
     for (;;) {
       const bool has_ended = waitpid(process_, &wait_status, WNOHANG) == process_;
+      if (!has_ended) SampleMemory();
       ReadWhatIsThere(has_ended ? 0 : 5);
       if (has_ended) break;
       if (SecondsSince(begin_) > limits_.seconds) return Stopped(RunResult::End::timed_out);
@@ -191,6 +196,9 @@ class Watch {
     return result_;
   }
 
+  /// The most addresses that a process of the program was seen to have, in MiB.
+  double PeakMemory() const { return peak_; }
+
  private:
   RunResult Stopped(RunResult::End how) {
     KillTree(process_);
@@ -198,6 +206,22 @@ class Watch {
     result_.seconds = SecondsSince(begin_);
     result_.end = how;
     return result_;
+  }
+
+  /// Reads /proc, since wait4 reports nothing of programs that bubblewrap starts.
+  void SampleMemory() {
+    constexpr double seconds_between = 0.02;
+    if (SecondsSince(sampled_) < seconds_between) return;
+    sampled_ = Clock::now();
+    std::vector<pid_t> all{process_};
+    constexpr std::size_t most = 100;  // processes: a fork bomb has no use for more
+    for (std::size_t i = 0; i < all.size() && all.size() < most; ++i) {
+      const auto children = ChildrenOf(all[i]);
+      all.insert(all.end(), children.begin(), children.end());
+      std::ifstream pages("/proc/" + std::to_string(all[i]) + "/statm");
+      double count = 0;
+      if (pages >> count) peak_ = std::max(peak_, count * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20));
+    }
   }
 
   void ReadWhatIsThere(int milliseconds) {
@@ -223,10 +247,65 @@ class Watch {
   Clock::time_point begin_ = Clock::now();
   std::int64_t read_ = 0;
   bool is_closed_ = false;
+  double peak_ = 0;
+  Clock::time_point sampled_ = begin_;
 };
 
-RunResult RunWords(const std::vector<std::string>& words, const fs::path& folder, const Limits& limits, bool is_wrapped,
-                   const std::atomic<bool>* stop) {
+// What runtimes of languages, and tools, print when an allocation fails.
+constexpr std::array signs_of_no_memory{
+    "bad_alloc",        "MemoryError", "annot allocate memory", "ut of memory",   "OutOfMemory",
+    "memory exhausted", "heap limit",  "memory allocation of",  "emory capacity", "not enough memory"};
+
+bool HasUsedUpMemory(const RunResult& result, double peak, const Limits& limits) {
+  constexpr double nearly = 0.8;  // of the limit: a program may grow by the rest between two samples
+  return peak > nearly * limits.memory || std::ranges::any_of(signs_of_no_memory, [&](const char* sign) {
+           return result.output.find(sign) != std::string::npos;
+         });
+}
+
+/// Returns the system's reason if `output` says that a program could not be executed: the words of BecomeProgram, or
+/// those of prlimit within bubblewrap.
+std::string WhyNotExecuted(const std::string& output, const std::string& program) {
+  for (const std::string& begin : {"cannot run " + program + ": ", "prlimit: failed to execute " + program + ": "})
+    if (output.starts_with(begin)) return output.substr(begin.size(), output.find('\n') - begin.size());
+  return {};
+}
+
+std::string NoProgram(const std::string& program, const std::string& why) {
+  std::error_code none;
+  const bool is_there = program.find('/') != std::string::npos && fs::exists(program, none);
+  if (why == std::strerror(ENOENT) && is_there)
+    return program + " is there, but not what runs it: the interpreter that its first line names, or a library";
+  if (why == std::strerror(EACCES))
+    return program + ": " + why + "; it must be executable" +
+           (IsSuperuser() ? ", and readable for user " + std::to_string(sandbox_user) : "");
+  return program + ": " + why;
+}
+
+/// Replaces an exit status or a signal by its reason: no program, or a limit that was reached.
+void FindReason(RunResult& result, const std::string& program, double peak, const Limits& limits) {
+  using enum RunResult::End;
+  if (result.IsGood() || (result.end != exited && result.end != signaled)) return;
+  const std::string why = result.end == exited ? WhyNotExecuted(result.output, program) : "";
+  const bool has_signal = result.end == signaled;
+  if (!why.empty()) {
+    result.end = no_program;
+    result.reason = NoProgram(program, why);
+  } else if (has_signal && result.status == SIGXCPU) {
+    result.end = out_of_cpu;
+    result.reason = std::to_string(CpuSeconds(limits)) + " s";
+  } else if (has_signal && result.status == SIGXFSZ) {
+    result.end = large_file;
+    result.reason = std::to_string(limits.file_bytes >> 20) + " MiB";
+  } else if (HasUsedUpMemory(result, peak, limits)) {
+    result.end = out_of_memory;
+    result.reason = Rounded(limits.memory, 6) + " MiB";
+  }
+}
+
+///   program   the student's own, which `words` may wrap
+RunResult RunWords(const std::vector<std::string>& words, const std::string& program, const fs::path& folder,
+                   const Limits& limits, bool is_wrapped, const std::atomic<bool>* stop) {
   Pipe pipe;
   const Command command(words, folder);
   const rlim_t processes = static_cast<rlim_t>(limits.processes) + (IsSuperuser() ? 0 : ThreadsOfUser());
@@ -237,7 +316,8 @@ RunResult RunWords(const std::vector<std::string>& words, const fs::path& folder
   if (process < 0) return {};
   if (process == 0) BecomeProgram(command, folder, limits, pipe.ends[1], is_wrapped, processes);
   pipe.CloseWriting();
-  RunResult result = Watch(process, pipe.ends[0], limits, stop).Wait();
+  Watch watch(process, pipe.ends[0], limits, stop);
+  RunResult result = watch.Wait();
   KillOrphans(earlier);
   // The wrapper tells of a signal as shells do.
   constexpr int shells_signal = 128;
@@ -246,6 +326,7 @@ RunResult RunWords(const std::vector<std::string>& words, const fs::path& folder
     result.end = RunResult::End::signaled;
     result.status -= shells_signal;
   }
+  FindReason(result, program, watch.PeakMemory(), limits);
   return result;
 }
 
@@ -265,10 +346,13 @@ std::vector<fs::path> FoldersOf(const std::vector<std::string>& command) {
   for (const std::string& word : command) {
     std::error_code failed;
     const fs::path path = fs::canonical(word, failed);
-    if (failed || IsOfSystem(path)) continue;
+    if (failed) continue;
     const fs::path folder = fs::is_directory(path, failed) ? path : path.parent_path();
     folders.push_back(folder == folder.root_path() ? path : folder);
+    // A link, such as the python3 of a virtual environment, is run by its own name.
+    if (fs::is_symlink(word, failed)) folders.push_back(fs::canonical(fs::path(word).parent_path(), failed));
   }
+  std::erase_if(folders, [](const fs::path& folder) { return folder.empty() || IsOfSystem(folder / ""); });
   return folders;
 }
 
@@ -304,7 +388,7 @@ std::vector<std::string> Mount(const char* how, const fs::path& path) {
 /// The words that take all rights away; a superuser becomes a user that nobody else is.
 std::vector<std::string> DroppedRights() {
   if (!IsSuperuser()) return {"--unshare-user", "--cap-drop", "ALL", "--"};
-  const std::string user = std::to_string(fresh_user);
+  const std::string user = std::to_string(sandbox_user);
   return {"--cap-drop",      "ALL",           "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID",
           "--cap-add",       "CAP_SETPCAP",   "--",        "setpriv",    "--reuid",   user,
           "--regid",         user,            "--clear-groups", "--no-new-privs", "--bounding-set", "-all",
@@ -316,7 +400,7 @@ std::vector<std::string> LimitWords(const Limits& limits) {
   return {"prlimit",
           "--core=0",
           "--nproc=" + std::to_string(limits.processes),
-          "--cpu=" + std::to_string(CpuSeconds(limits)),
+          "--cpu=" + std::to_string(CpuSeconds(limits)) + ":" + std::to_string(CpuSeconds(limits) + 1),
           "--fsize=" + std::to_string(limits.file_bytes),
           "--as=" + std::to_string(MemoryBytes(limits)),
           "--"};
@@ -329,7 +413,16 @@ std::string RunResult::Problem() const {
     case End::exited:
       return status == 0 ? "" : "ended with exit status " + std::to_string(status);
     case End::signaled:
+      if (status == SIGKILL) return "was killed (signal 9) by another program, or because the machine is out of memory";
       return "crashed: " + std::string(strsignal(status)) + " (signal " + std::to_string(status) + ")";
+    case End::no_program:
+      return "cannot be run: " + reason;
+    case End::out_of_memory:
+      return "ran out of memory: the limit is " + reason;
+    case End::out_of_cpu:
+      return "was stopped after " + reason + " of processor time";
+    case End::large_file:
+      return "was stopped when it wrote a file of more than " + reason;
     case End::timed_out:
       return "was stopped after " + Rounded(seconds, 3) + " s";
     case End::too_much_output:
@@ -352,6 +445,8 @@ Sandbox::Sandbox(Mode mode) {
   if (tried.IsGood()) return;
   has_bubblewrap_ = false;
   why_not_ = tried.output.substr(0, tried.output.find('\n'));
+  if (tried.end == RunResult::End::exited && tried.output.starts_with("cannot run bwrap"))
+    why_not_ = "bubblewrap is not installed";
   if (mode == Mode::bubblewrap) throw std::runtime_error("bubblewrap does not work here: " + why_not_);
 }
 
@@ -383,8 +478,8 @@ std::vector<std::string> Sandbox::Wrapped(const std::vector<std::string>& comman
 RunResult Sandbox::Run(const std::vector<std::string>& command, const fs::path& folder,
                        const std::vector<fs::path>& readable, const Limits& limits,
                        const std::atomic<bool>* stop) const {
-  return RunWords(has_bubblewrap_ ? Wrapped(command, folder, readable, limits) : command, folder, limits,
-                  has_bubblewrap_, stop);
+  return RunWords(has_bubblewrap_ ? Wrapped(command, folder, readable, limits) : command, command.front(), folder,
+                  limits, has_bubblewrap_, stop);
 }
 
 }  // namespace ray::grade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
@@ -19,17 +20,35 @@ struct Limits {
 
 /// How a program ended.
 struct RunResult {
-  enum class End { exited, signaled, timed_out, too_much_output, interrupted, not_started };
+  enum class End {
+    exited,
+    signaled,
+    timed_out,
+    too_much_output,
+    interrupted,
+    not_started,
+    no_program,     // the system could not run the command's first word
+    out_of_memory,  // it reached its limit, judging by its output or its size
+    out_of_cpu,     // its threads used up their processor time
+    large_file
+  };
 
   End end = End::not_started;
   int status = 0;      // exit status, or the signal's number
   double seconds = 0;  // of the clock
   std::string output;  // the beginning of what it printed
+  std::string reason;  // why there is no program, or which limit was reached
 
   bool IsGood() const { return end == End::exited && status == 0; }
-  /// "was ended after 10 s", "crashed: segmentation fault (signal 11)"; empty where all is well.
+  /// Completes "The program": "was stopped after 10 s", "crashed: segmentation fault (signal 11)"; empty if it is good.
   std::string Problem() const;
 };
+
+/// The folders in which programs named without a slash are looked for, whatever the user's own PATH is.
+inline constexpr std::array program_folders{"/usr/local/bin", "/usr/bin", "/bin"};
+/// The user that programs run as if the grader is the superuser: one that nobody else is, since a limit on processes
+/// counts all that a user has.
+inline constexpr unsigned sandbox_user = 61184;
 
 /// Runs programs that nobody vouches for: with bubblewrap in namespaces of their own, where they see system folders
 /// and their own files only and have no network; where that cannot be, with limits alone. Whatever they started has

@@ -25,11 +25,16 @@ void Shift(Variant& variant, R2::Vector pixels) {
   shift = {shift.x + pixel * pixels.x, shift.y + pixel * pixels.y};
 }
 
-/// What the mistakes do to an image of light once it is rendered, and the values for a screen.
-R2::Image Shown(R2::Image image, const MistakeList& mistakes) {
+/// Applies mistakes of the finished image to an image of light.
+R2::Image Finished(R2::Image image, const MistakeList& mistakes) {
   for (const Mistake* mistake : mistakes)
     if (!mistake->make) image = mistake->of_image(image);
-  return Displayed(image, R2::Display::straight);
+  return image;
+}
+
+/// Applies them, and returns values for a screen.
+R2::Image Shown(const R2::Image& image, const MistakeList& mistakes) {
+  return Displayed(Finished(image, mistakes), R2::Display::straight);
 }
 
 /// Mistakes that are made before an image is rendered.
@@ -121,11 +126,17 @@ R2::Image SceneImages::Light(const MistakeList& mistakes, R2::Vector shift_in_pi
 }
 
 std::optional<R2::Image> SceneImages::With(const MistakeList& mistakes) {
+  const auto light = LightWith(mistakes);
+  if (!light) return {};
+  return Displayed(*light, R2::Display::straight);
+}
+
+std::optional<R2::Image> SceneImages::LightWith(const MistakeList& mistakes) {
   const MistakeList before = BeforeRendering(mistakes);
   auto& light = light_[before];
   if (!light) light = Light(before);
   if (light->Width() == 0) return {};
-  return Shown(*light, mistakes);
+  return Finished(*light, mistakes);
 }
 
 R2::Image SceneImages::AsOfAnother(const MistakeList& mistakes) const {

@@ -49,8 +49,10 @@ class SceneImages {
   const std::vector<bool>& Steady() const { return steady_; }
   /// How far smoothed edges may be from the reference at each pixel: programs differ in where their samples lie.
   const std::vector<double>& Smoothing() const { return smoothing_; }
-  /// Nothing where the mistakes cannot be made in this scene.
+  /// Returns the image with mistakes, values for a screen; nothing where they cannot be made in this scene.
   std::optional<R2::Image> With(const MistakeList& mistakes);
+  /// Returns the same before values are clamped.
+  std::optional<R2::Image> LightWith(const MistakeList& mistakes);
   /// With mistakes, as another program may show it: from a camera a tenth of a pixel aside, in bytes. Empty where the
   /// mistakes cannot be made.
   R2::Image AsOfAnother(const MistakeList& mistakes) const;

@@ -130,6 +130,9 @@ Suite ReadFrom(const Document& document, Report& report) {
   if (!mapping) return suite;
   suite.name = mapping->Word({"name"}).value_or(fs::path(suite.file).stem().string());
   suite.command = ReadCommand(*mapping);
+  suite.build = mapping->Word({"build"}).value_or("");
+  suite.build_seconds = mapping->Number({"build_seconds"}, {0, most_seconds, true}, suite.build_seconds);
+  suite.build_memory = mapping->Number({"build_memory"}, {1, most_memory}, suite.build_memory);
   suite.readable = ReadReadable(*mapping, fs::path(suite.file).parent_path().string());
   suite.memory = mapping->Number({"memory"}, {1, most_memory}, suite.memory);
   suite.budget = mapping->Number({"budget"}, {0, most_seconds}, suite.budget);

@@ -34,6 +34,8 @@ struct SuiteScene {
 struct Suite {
   std::string file, name;
   std::vector<std::string> command;   // the usual one; may be empty
+  std::string build;                  // the usual line for the shell that builds a program; empty for none
+  double build_seconds = 120, build_memory = 4096;  // limits of that
   double memory = 768;                // MiB that the program may take
   double budget = 0;                  // seconds for all scenes together; 0: no limit
   double explained = 0.5;             // share of a scene's points where known mistakes explain all that is wrong

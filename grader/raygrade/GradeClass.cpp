@@ -1,5 +1,7 @@
 #include "grader/raygrade/GradeClass.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -35,6 +37,43 @@ void MakeFolder(const fs::path& folder) {
   if (failed) throw OutputError("cannot make the folder " + Quoted(folder.string()) + ": " + failed.message());
 }
 
+bool HasPlaceholder(const std::string& word) { return word.find('{') != word.npos; }
+
+/// An absolute path for a word that names an existing file, since programs run in folders of their own; links within
+/// its folder stay as they are. Other words are returned as they are.
+std::string WithPlace(const std::string& word, bool is_program) {
+  std::error_code none;
+  const bool has_slash = word.find('/') != word.npos, is_folder = word == "." || word == "..";
+  if (!fs::exists(word, none) || !(has_slash || is_folder || (!is_program && fs::is_regular_file(word, none))))
+    return word;
+  if (fs::is_directory(word, none)) return fs::canonical(word).string();
+  return (fs::canonical(fs::absolute(word).parent_path()) / fs::path(word).filename()).string();
+}
+
+/// Throws a UsageError if the program of a command is not there: better once than as a failure of every scene.
+void RequireProgram(const std::vector<std::string>& command) {
+  const std::string& program = command[0];
+  std::error_code none;
+  if (HasPlaceholder(program)) return;
+  if (program.find('/') != program.npos) {
+    if (!fs::is_regular_file(program, none)) throw UsageError("there is no program " + Quoted(program));
+    if (access(program.c_str(), X_OK) != 0)
+      throw UsageError(Quoted(program) + " is not executable; chmod +x makes it so");
+  } else {
+    if (std::ranges::none_of(grade::program_folders, [&](const char* folder) {
+          return access((std::string(folder) + "/" + program).c_str(), X_OK) == 0;
+        }))
+      throw UsageError("there is no program " + Quoted(program) + " in " +
+                       OneOf({grade::program_folders.begin(), grade::program_folders.end()}) +
+                       (fs::exists(program, none) ? "; for the file in this folder, write ./" + program : ""));
+  }
+  // The script of an interpreter.
+  const auto script =
+      std::ranges::find_if(command.begin() + 1, command.end(), [](const auto& w) { return !w.starts_with('-'); });
+  if (script == command.end() || HasPlaceholder(*script) || fs::path(*script).extension().empty()) return;
+  if (!fs::exists(*script, none)) throw UsageError("there is no file " + Quoted(*script) + " for " + program);
+}
+
 std::vector<std::string> CommandOf(const GradeOptions& options, const grade::Suite& suite) {
   std::vector<std::string> command(options.names.begin() + 1, options.names.end());
   if (command.empty()) command = suite.command;
@@ -42,13 +81,8 @@ std::vector<std::string> CommandOf(const GradeOptions& options, const grade::Sui
   if (!options.students.empty() &&
       std::ranges::none_of(command, [](const std::string& word) { return word.find("{student}") != word.npos; }))
     throw UsageError("with -students the command needs {student}, the folder of each");
-  // Programs run in folders of their own. A program named without a slash is looked for on PATH.
-  for (std::string& word : command) {
-    std::error_code none;
-    const bool has_slash = word.find('/') != word.npos, is_program = &word == &command.front();
-    if (fs::exists(word, none) && (has_slash || (!is_program && fs::is_regular_file(word, none))))
-      word = fs::absolute(word).lexically_normal().string();
-  }
+  for (std::string& word : command) word = WithPlace(word, &word == &command.front());
+  RequireProgram(command);
   return command;
 }
 
@@ -66,6 +100,15 @@ std::string PointsOf(const StudentResult& student) {
   return Rounded(student.Score(), 4) + " of " + Rounded(student.Points(), 4) + " points";
 }
 
+void PrintResult(const StudentResult& student) {
+  const std::string begin = student.name.empty() ? "" : Escaped(student.name) + ": ";
+  if (!student.problem.empty()) return WriteStandardOutput(begin + "The program " + Escaped(student.problem) + ".\n");
+  for (const grade::SceneResult& scene : student.scenes)
+    WriteStandardOutput(begin + Escaped(scene.scene) + ": " + Rounded(scene.score, 4) + "/" + Rounded(scene.points, 4) +
+                        "  " + Escaped(scene.headline) + "\n");
+  WriteStandardOutput(begin + Escaped(student.verdict.headline) + "\n");
+}
+
 /// Grades one student; what is known is written after each scene.
 StudentResult GradeStudent(grade::Grader& grader, const std::string& name, const std::string& folder,
                            const fs::path& out, const std::string& results, const std::string& identity) {
@@ -73,9 +116,7 @@ StudentResult GradeStudent(grade::Grader& grader, const std::string& name, const
   return grader.Grade(name, folder, [&](const StudentResult& so_far) {
     WriteText(results, ResultsJson(so_far, identity));
     WriteText((out / "index.html").string(), StudentPage(so_far, grader.suite(), grader.sandbox().Describe()));
-    const grade::SceneResult& last = so_far.scenes.back();
-    WriteStandardOutput((name.empty() ? "" : Escaped(name) + ": ") + Escaped(last.scene) + ": " +
-                        Rounded(last.score, 4) + "/" + Rounded(last.points, 4) + "  " + Escaped(last.headline) + "\n");
+    if (so_far.is_complete) PrintResult(so_far);
   });
 }
 
@@ -84,7 +125,8 @@ std::string IdentityOf(const grade::Grader& grader, const GradeOptions& options,
   std::string text = "raygrade " RAYPRO_VERSION ", suite and scenes " + SceneHash(grader.Inputs()) + ", seed " +
                      std::to_string(options.seed) + ":";
   for (const std::string& word : command) text += " " + Quoted(word);
-  return text;
+  const std::string& build = grader.Build();
+  return build.empty() ? text : text + ", built by " + Quoted(build);
 }
 
 /// What an earlier run has found, if that is complete and of the same suite, seed and command.
@@ -95,15 +137,37 @@ std::optional<StudentResult> Kept(const fs::path& results, const std::string& id
   return student && student->is_complete ? student : std::nullopt;
 }
 
+std::string FolderOf(const GradeOptions& options, const std::string& student) {
+  return fs::canonical(fs::path(options.students) / student).string();
+}
+
+/// Says whose programs are not there before anybody is graded. Throws a UsageError if nobody's is.
+void RequirePrograms(const grade::Grader& grader, const GradeOptions& options, const std::vector<std::string>& names) {
+  if (!grader.Build().empty()) return;
+  std::string without, missing;
+  std::size_t count = 0;
+  for (const std::string& name : names) {
+    const std::string file = grader.MissingProgram(FolderOf(options, name));
+    if (file.empty()) continue;
+    without += (without.empty() ? "" : ", ") + Escaped(name);
+    missing = file;
+    ++count;
+  }
+  if (count == names.size())
+    throw UsageError("no folder in " + Quoted(options.students) + " has the file " + Quoted(missing) +
+                     "; if it has to be built, add -build \"make -C {student}\"");
+  if (count > 0) PrintError("raygrade: there is no " + Quoted(missing) + " in the folders of " + without);
+}
+
 int GradeClass(grade::Grader& grader, const GradeOptions& options, const std::string& identity) {
   const fs::path out = options.out;
   std::vector<StudentResult> students;
-  for (const std::string& name : StudentsIn(options.students)) {
+  const std::vector<std::string> names = StudentsIn(options.students);
+  RequirePrograms(grader, options, names);
+  for (const std::string& name : names) {
     const fs::path page = out / name, results = page / "results.json";
     auto student = options.resume ? Kept(results, identity) : std::nullopt;
-    if (!student)
-      student = GradeStudent(grader, name, fs::absolute(fs::path(options.students) / name).string(), page,
-                             results.string(), identity);
+    if (!student) student = GradeStudent(grader, name, FolderOf(options, name), page, results.string(), identity);
     if (StopSignal() != 0) return status::killed_by + StopSignal();
     students.push_back(std::move(*student));
     for (grade::SceneResult& scene : students.back().scenes) scene.expected = scene.actual = scene.difference = {};
@@ -114,13 +178,13 @@ int GradeClass(grade::Grader& grader, const GradeOptions& options, const std::st
 }
 
 int PrintMatrix(grade::Grader& grader, int pairs) {
-  const grade::MatrixCounts counts = TryMistakes(grader.Scenes(), pairs);
-  for (const std::string& line : counts.lines) WriteStandardOutput(line + "\n");
-  WriteStandardOutput("right " + std::to_string(counts.right) + " (" + std::to_string(counts.by_name) +
-                      " by name, others by one that looks the same), told to be empty " + std::to_string(counts.told) +
-                      ", wrong " + std::to_string(counts.wrong) +
-                      ", silent " + std::to_string(counts.silent) + "; in no scene visible: " +
-                      Counted(static_cast<std::uint64_t>(counts.invisible), "mistake") + "\n");
+  using enum grade::MatrixRow::Outcome;
+  const grade::MatrixCounts counts = TryMistakes(grader.Scenes(), grader.suite(), pairs);
+  for (const grade::MatrixRow& row : counts.rows) WriteStandardOutput(row.Text() + "\n");
+  const auto count = [&](grade::MatrixRow::Outcome outcome) { return std::to_string(counts.Count(outcome)); };
+  WriteStandardOutput("right by name " + count(by_name) + ", by another cause with the same images " +
+                      count(same_image) + ", of one color " + count(empty) + ", wrong " + count(wrong) + ", silent " +
+                      count(silent) + ", in no scene visible " + count(invisible) + "\n");
   return status::done;
 }
 
@@ -136,7 +200,12 @@ int Grade(const GradeOptions& options) {
   if (options.names.empty()) throw UsageError("no suite is named: raygrade suite.yaml -- command");
   const grade::Suite suite = grade::ReadSuite(options.names[0]);
   for (const std::string& line : suite.warnings) PrintError(line);
+  if (!options.build.empty() && options.students.empty())
+    throw UsageError("-build builds the programs of -students; build a single program before it is graded");
   grade::GraderSettings settings{.command = {},
+                                 .build = options.students.empty() ? ""
+                                          : options.build.empty()  ? suite.build
+                                                                   : options.build,
                                  .seed = options.seed,
                                  .sandbox = ModeOf(options.sandbox),
                                  .image_extension = options.image,

@@ -21,6 +21,7 @@ struct GradeOptions : Options {
   std::string out = "graded";      // folder for pages and tables
   std::string results;             // file for Gradescope; empty: results.json in `out`
   std::string students;            // folder with one folder per student; empty: one student
+  std::string build;               // a line for the shell that builds a student's program; empty: the suite's
   std::string image = "png";       // extension of {image}
   std::uint64_t seed = 0;
   SandboxMode sandbox = SandboxMode::automatic;

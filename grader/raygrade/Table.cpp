@@ -26,6 +26,11 @@ std::vector<OptionKind> GradingOptions() {
        "folder for the pages and tables; made if it is missing"},
       {"students", raygrade, {}, {}, {"folder"}, FileName{AT(students), FileKind::folder}, "", "grading",
        "grade a class: each folder in this one is a student, and {student} in the command"},
+      {"build", raygrade, {}, {}, {"command"}, Word{[](ray::Options& o, const std::string& word) {
+         As<GradeOptions>(o).build = word;
+         return !word.empty();
+       }, [](const ray::Options& o) { return As<GradeOptions>(o).build; }, "a line for the shell"}, "", "grading",
+       "build each program of -students in a copy of its folder, {student}, as in \"make -C {student}\""},
       {"results", raygrade, {}, {}, {"file.json"}, FileName{AT(results), FileKind::json}, "", "grading",
        "results for Gradescope of a single student; by default results.json in -out"},
       {"image", raygrade, {}, {}, {"extension"}, Word{[](ray::Options& o, const std::string& word) {
@@ -72,6 +77,7 @@ const Program Program::raygrade{
     .examples =
         "  raygrade share/suites/cos426/suite.yaml -- ./student {scene} {image} -width {width} -height {height}\n"
         "  raygrade suite.yaml -students handed_in -out graded -- {student}/tracer {scene} {image}\n"
+        "  raygrade suite.yaml -students handed_in -build \"make -C {student}\" -- {student}/tracer {scene} {image}\n"
         "  raygrade suite.yaml -matrix\n"
         "  raygrade -new scenes\n",
     .statuses = {{"0", "Success, whatever the points."},

@@ -78,7 +78,30 @@ TEST(Sandbox, ASignalIsToldByName) {
 TEST(Sandbox, MemoryHasALimit) {
   for (const Sandbox& sandbox : Sandboxes()) {
     const Workplace place;
-    EXPECT_FALSE(RunHostile(sandbox, place, "memory").IsGood());
+    EXPECT_EQ(RunHostile(sandbox, place, "memory").end, RunResult::End::out_of_memory);
+  }
+}
+
+TEST(Sandbox, KindsOfDeathAreToldApart) {
+  for (const Sandbox& sandbox : Sandboxes()) {
+    const Workplace place;
+    const auto end = [&](const std::vector<std::string>& command) {
+      const RunResult result = sandbox.Run(command, place.Path(), {}, {.seconds = 2, .file_bytes = 1 << 20});
+      return std::pair(result.end, result.Problem());
+    };
+    const auto killed = end({"/bin/sh", "-c", "kill -KILL $$"});
+    EXPECT_EQ(killed.first, RunResult::End::signaled);
+    EXPECT_TRUE(Has(killed.second, "killed")) << killed.second;
+    EXPECT_EQ(end({"/bin/sh", "-c", "kill -XCPU $$"}).first, RunResult::End::out_of_cpu);
+    EXPECT_EQ(end({"/bin/sh", "-c", "exec cat /dev/zero > big"}).first, RunResult::End::large_file);
+    EXPECT_EQ(end({"/bin/sh", "-c", "echo std::bad_alloc; exit 1"}).first, RunResult::End::out_of_memory);
+    EXPECT_EQ(end({"/nowhere/tracer"}).first, RunResult::End::no_program);
+    // What a program's own shell does not find is its own failure.
+    EXPECT_EQ(end({"/bin/sh", "-c", "/nowhere/tracer"}).first, RunResult::End::exited);
+    fs::permissions(WriteFile(place / "plain", "text"), fs::perms::others_read | fs::perms::owner_read);
+    EXPECT_TRUE(Has(end({place / "plain"}).second, "must be executable")) << end({place / "plain"}).second;
+    fs::permissions(WriteFile(place / "script", "#!/nowhere/sh\n"), fs::perms::all);
+    EXPECT_TRUE(Has(end({place / "script"}).second, "interpreter")) << end({place / "script"}).second;
   }
 }
 

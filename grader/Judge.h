@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "grader/Diagnosis.h"
+#include "grader/Results.h"
+#include "grader/Suite.h"
+
+namespace ray::grade {
+
+/// The images that a program left for a scene.
+struct HandedIn {
+  SceneImages* images;
+  std::vector<R2::Image> runs;
+  bool is_jpeg = false;
+  std::size_t scene = 0;  // its number in StudentResult::scenes
+};
+
+/// How a program encodes the values of its images. Neither is a mistake of tracing, so both are undone before images
+/// are compared.
+enum class Encoding { linear, srgb, power };
+
+/// Returns the encoding that makes most pixels right, if it is clear; else linear.
+Encoding EncodingOf(std::span<const HandedIn> handed_in);
+std::vector<Exhibit> ExhibitsOf(std::span<const HandedIn> handed_in, Encoding encoding);
+
+/// Sets the points of a scene, and the sentences about it, by its image alone.
+void JudgeAlone(const Exhibit& exhibit, const Suite& suite, SceneResult& result);
+
+/// What verdicts are made of.
+struct Findings {
+  Encoding encoding = Encoding::linear;
+  std::optional<Diagnosis> diagnosis;  // none if no image has more than one color
+};
+
+/// Sets the verdict on a student, and with it the points of all scenes.
+Findings JudgeTogether(std::span<const HandedIn> handed_in, const Suite& suite, StudentResult& student);
+
+}  // namespace ray::grade

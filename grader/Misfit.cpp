@@ -1,0 +1,112 @@
+#include "grader/Misfit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ray::grade {
+namespace {
+
+std::size_t CellIndex(const R2::Image& image, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.Width()) + static_cast<std::size_t>(x);
+}
+
+double SquareBeyond(double channel, double allowed) {
+  const double beyond = std::abs(channel) - allowed;
+  return beyond > 0 ? beyond * beyond : 0;
+}
+
+/// True if shading, not an edge of the image with a mistake, is at this place.
+bool IsCalm(const R2::Image& cells, const R2::Image& reference, int x, int y) {
+  constexpr double calm = 0.08;  // four of the usual tolerances: shading does not change by that from pixel to pixel
+  const R2::Color c = cells.At(x, y);
+  if (LargestChannel(c - reference.At(x, y)) < calm) return true;
+  for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+    const int i = std::clamp(x + dx, 0, cells.Width() - 1), j = std::clamp(y + dy, 0, cells.Height() - 1);
+    if (LargestChannel(cells.At(i, j) - c) > calm) return false;
+  }
+  return true;
+}
+
+/// Where the student's image differs from another, and how.
+enum class Cell : unsigned char { ignored, same, darker, other };
+
+/// Counts for the statistics of acne: a shadow that should not be there changes few neighbors from lit to dark, acne
+/// changes many, along both axes.
+struct Texture {
+  double counted = 0, darker = 0, other = 0, turns_across = 0, turns_along = 0;
+
+  bool IsAcne() const {
+    constexpr double least_share = 0.002, mostly = 0.8;  // of the pixels counted; of those that differ
+    // Independent specks of density p turn 2 p (1 - p) times a pixel; a dark region of width w turns 2 / w times along
+    // each row of it. 0.15 is between those of regions of 7 pixels, and of specks that fill 5 of 6 pixels.
+    constexpr double ragged = 0.15;
+    return darker > least_share * counted && darker > mostly * (darker + other) &&
+           std::min(turns_across, turns_along) > 2 * ragged * darker;
+  }
+};
+
+Texture TextureOf(const std::vector<Cell>& cells, int width, int height) {
+  Texture texture;
+  const auto at = [&](int x, int y) { return cells[static_cast<std::size_t>(y * width + x)]; };
+  const auto turns = [](Cell a, Cell b) {
+    return a != Cell::ignored && b != Cell::ignored && (a == Cell::darker) != (b == Cell::darker);
+  };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Cell cell = at(x, y);
+      texture.counted += cell != Cell::ignored;
+      texture.darker += cell == Cell::darker;
+      texture.other += cell == Cell::other;
+      if (x > 0) texture.turns_across += turns(at(x - 1, y), cell);
+      if (y > 0) texture.turns_along += turns(at(x, y - 1), cell);
+    }
+  return texture;
+}
+
+}  // namespace
+
+Exhibit MakeExhibit(SceneImages& images, Submission student) {
+  Exhibit exhibit{&images, std::move(student), {}, false};
+  exhibit.found = Compare(exhibit.student, images);
+  exhibit.is_right = exhibit.found.Percent() <= images.scene().allowed;
+  return exhibit;
+}
+
+std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image) {
+  constexpr double rounding = 1.5 / 255;
+  constexpr double enough = 0.4;  // of the steady pixels: fewer would be taken for the others without being like them
+  const SceneImages& images = *exhibit.images;
+  const Submission& student = exhibit.student;
+  const R2::Image cells = images.Cells(image), reference = images.Cells(images.Reference());
+  const int width = cells.Width(), height = cells.Height();
+  const bool has_pixels = images.CellSide() == 1;
+  std::vector<Cell> kinds(student.tolerance.size(), Cell::ignored);
+  std::vector<double> squares(student.tolerance.size(), 0.0);
+  double steady = 0, counted = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const std::size_t i = CellIndex(cells, x, y);
+      if (has_pixels && !images.Steady()[i]) continue;
+      ++steady;
+      if (has_pixels && !IsCalm(cells, reference, x, y)) continue;
+      ++counted;
+      const R2::Color d = student.cells.At(x, y) - cells.At(x, y);
+      const double allowed = rounding + student.tolerance[i] - images.scene().tolerance;
+      squares[i] = SquareBeyond(d.r, allowed) + SquareBeyond(d.g, allowed) + SquareBeyond(d.b, allowed);
+      const bool differs = LargestChannel(d) > student.tolerance[i];
+      kinds[i] = !differs ? Cell::same : Luminance(d) < 0 ? Cell::darker : Cell::other;
+    }
+  if (!(counted > enough * steady)) return {};
+  const Texture texture = TextureOf(kinds, width, height);
+  const bool has_acne = has_pixels && texture.IsAcne();
+  Fit fit;
+  double differing = texture.other + (has_acne ? 0 : texture.darker);
+  for (std::size_t i = 0; i < squares.size(); ++i)
+    if (!(has_acne && kinds[i] == Cell::darker)) fit.squares += squares[i];
+  fit.squares *= steady / counted;
+  fit.percent = 100 * differing / counted;
+  fit.specks = has_acne ? 100 * texture.darker / counted : 0;
+  return fit;
+}
+
+}  // namespace ray::grade
