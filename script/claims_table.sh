@@ -4,23 +4,26 @@
 # the shares of claims within .9-1.1 of the truth, below .8 and above 1.25 of it, how often the 95 % interval holds the
 # truth, and the median of the degrees of freedom; below them all renders, and those of at least 270 degrees of freedom.
 #
-#     script/claims_table.sh [-seeds N] [-size N] [-references FOLDER] [-rows FILE] [-targets "E ..."] [id ...]
+#     script/claims_table.sh [-seeds N] [-size N] [-references FOLDER] [-rows FILE] [-targets "E ..."]
+#                            [-options "OPTIONS"] [id ...]
 #
 # With targets, each scene is rendered until its error is below each of them instead, with at most 2,048 samples. Per
 # scene: renders that got there, the share of them whose true error is below the target, the largest true error in
 # targets, and of those that took more than the least, 8 samples, the share whose true error is above 1/1.3 of it.
 #
-# Ground truth comes from two references of 1024 samples of other seeds, kept in FOLDER (default build/claims) from run to
-# run. With 6 seeds, the default, 20 scenes are 360 renders for displayed errors and 180 for linear ones: ten minutes of two
-# cores, and as much for the references. -rows keeps one line per render. RAYPRO names the program (default build/raypro).
+# -options are added to those of each render: with "-denoise" claims are those of denoised images. Ground truth comes from
+# two references of 1024 samples of other seeds, kept in FOLDER (default build/claims) from run to run. With 6 seeds, the
+# default, 20 scenes are 360 renders for displayed errors and 180 for linear ones: ten minutes of two cores, and as much
+# for the references. -rows keeps one line per render. RAYPRO names the program (default build/raypro).
 set -eu
 export LC_ALL=C  # numbers have a point
 here=$(cd "$(dirname "$0")/.." && pwd)
 raypro=${RAYPRO:-$here/build/raypro}
-seeds=6 size=64 references=$here/build/claims rows= targets=
+seeds=6 size=64 references=$here/build/claims rows= targets= more=
 while [ $# -gt 0 ]; do
   case $1 in
     -seeds) seeds=$2 ;; -size) size=$2 ;; -references) references=$2 ;; -rows) rows=$2 ;; -targets) targets=$2 ;;
+    -options) more=$2 ;;
     *) break ;;
   esac
   shift 2
@@ -75,8 +78,8 @@ claims_of() {
           suffix=lin
         fi
         # An error that is never reached, so that all samples are taken and two streams made.
-        run "$scene" "$options" "$work/picture.pfm" -samples "$samples" -seed "$seed" -error .000001$suffix -adaptive off \
-          -reference "$both" -report "$work/report"
+        run "$scene" "$options $more" "$work/picture.pfm" -samples "$samples" -seed "$seed" -error .000001$suffix \
+          -adaptive off -reference "$both" -report "$work/report"
         echo "$unit $id $(value estimate) $(value low) $(value high) $(value true_error) $(value freedom)"
       done
       seed=$((seed + 1))
@@ -87,7 +90,7 @@ targets_of() {
   for target in $targets; do
     seed=1
     while [ "$seed" -le "$seeds" ]; do
-      run "$scene" "$options" "$work/picture.pfm" -samples 2048 -seed "$seed" -error "$target" -reference "$both" \
+      run "$scene" "$options $more" "$work/picture.pfm" -samples 2048 -seed "$seed" -error "$target" -reference "$both" \
         -report "$work/report"
       reason=$(awk '$1 == "\"reason\":" { gsub(/[",]/, "", $2); print $2; exit }' "$work/report")
       mean=$(awk '$1 == "\"mean\":" { print $2 + 0; exit }' "$work/report")

@@ -9,11 +9,13 @@ ErrorMeasure MeasureFor(const RenderSettings& settings) {
           settings.srgb};
 }
 
-PassHistory::PassHistory(const RenderSettings& settings, const Film& film, bool is_watched, const ErrorMeasure& measure)
+PassHistory::PassHistory(const RenderSettings& settings, const Film& film, bool is_watched, const ErrorMeasure& measure,
+                         LookAtDenoised look)
     : settings_(settings),
       film_(film),
       measure_(measure),
-      are_counted_(settings.budget.IsOpen() || settings.wants_passes || settings.replay || is_watched) {}
+      are_counted_(settings.budget.IsOpen() || settings.wants_passes || settings.replay || is_watched),
+      look_at_denoised_(std::move(look)) {}
 
 void PassHistory::Resume(std::vector<Pass> passes, BlockErrors differences) {
   passes_ = std::move(passes);
@@ -25,17 +27,20 @@ std::optional<MeasuredError> PassHistory::Note(const Schedule& schedule, double 
   // A pass that was over when it was kept is noted already, and what came before it is not known any more.
   const std::uint32_t end = schedule.State().end;
   const bool is_noted = !passes_.empty() && passes_.back().end == end && passes_.back().samples == samples;
+  const bool measures = (schedule.LooksAtError() || settings_.wants_passes) && !ShowsCosts(settings_.mode);
+  const auto noisy = measures ? Measure(unseen) : std::nullopt;
+  Look look{noisy};
+  if (look_at_denoised_) look = noisy && schedule.LooksAtError() ? look_at_denoised_(*noisy, unseen) : Look{};
+  if (look.was_stopped) return {};
+  if (noisy && look_at_denoised_) noisy_ = noisy->estimate;
   // First looks are no passes that anybody counts, nor are those of a render that has nothing to decide.
   if (!passes_.empty() && !is_noted && (!are_counted_ || passes_.back().end == 0)) passes_.pop_back();
-  if (!is_noted) passes_.push_back({end, samples, seconds, {}});
-  const bool measures = schedule.LooksAtError() || settings_.wants_passes;
-  if (!measures || ShowsCosts(settings_.mode)) return {};
-  auto error = Measure(unseen);
-  if (!error || is_noted) return error;
+  if (is_noted) return look.error;
+  passes_.push_back({end, samples, seconds, {}});
   // Errors that a report alone asks for must not bear on those that decide, nor on what is claimed.
-  if (schedule.LooksAtError()) differences_ = error->differences;
-  passes_.back().error = error->estimate;
-  return error;
+  if (noisy && schedule.LooksAtError()) differences_ = noisy->differences;
+  if (look.error) passes_.back().error = look.error->estimate;
+  return look.error;
 }
 
 std::optional<ErrorForecast> PassHistory::Forecast() const {
@@ -45,10 +50,11 @@ std::optional<ErrorForecast> PassHistory::Forecast() const {
 std::optional<ErrorEstimate> PassHistory::Finish(bool have_come, const UnseenLight& unseen) {
   // The error of costs is not known: they are what is summed, not the colors shown.
   if (ShowsCosts(settings_.mode)) return {};
-  if (!have_come && !passes_.empty() && passes_.back().error) return passes_.back().error;
+  const auto& last = look_at_denoised_ ? noisy_ : passes_.empty() ? std::nullopt : passes_.back().error;
+  if (!have_come && last) return last;
   const auto measured = Measure(unseen);
   if (!measured) return {};
-  if (!passes_.empty()) passes_.back().error = measured->estimate;
+  if (!passes_.empty() && !look_at_denoised_) passes_.back().error = measured->estimate;
   return measured->estimate;
 }
 

@@ -6,8 +6,8 @@
 #include "source/film/error/Contrast.h"
 #include "source/integrate/debug/Heat.h"
 #include "source/integrate/lights/Caustics.h"
-#include "source/render/DenoiseResult.h"
 #include "source/render/Flare.h"
+#include "source/render/ImageDenoiser.h"
 #include "source/render/Parts.h"
 #include "source/render/PassHistory.h"
 #include "source/render/PassProgress.h"
@@ -55,24 +55,34 @@ void TakeFilm(const Film& film, const RayCounts& rays, const RenderSettings& set
   }
 }
 
+/// Returns true if filters could bring an error below the target. One that is too large for that is not worth a look.
+bool MayDoDenoised(const MeasuredError& noisy, const ErrorTarget& target) {
+  // Of 15 scenes at 16 samples (script/denoise_table.sh) regression leaves at least .2 of the error, a library .14; the
+  // more noise there is, the less they leave.
+  constexpr double least_left = 0.125;
+  return least_left * least_left * noisy.square <= SquaredTarget(target.value, {.unit = target.unit}, noisy.mean);
+}
+
 /// One render from its first sample to its image: runs the passes that its schedule chooses.
 class Job {
  public:
   using Clock = TimeBudget::Clock;
 
   ///   start      when the render began, by the clock that budgets count
+  ///   denoiser   for an image that is to be denoised, else null
   ///   forecast   for an image that is to be denoised in time, else null
   Job(const World& world, const Integrator& integrator, const RenderSettings& settings, const RenderMonitor& monitor,
-      Clock::time_point start, DenoiseForecast* forecast = nullptr)
+      Clock::time_point start, ImageDenoiser* denoiser = nullptr, DenoiseForecast* forecast = nullptr)
       : settings_(settings),
         monitor_(monitor),
+        denoiser_(denoiser),
         time_(settings, start, monitor.seconds_before, {settings.budget.seconds_to_finish, monitor.encode}, forecast),
         camera_(CameraRaysOf(world, settings)),
         caustics_(settings.mode == RenderMode::path ? CausticsOf(world, settings.trace) : Caustics()),
         source_{integrator, camera_, RandomKey(settings.seed), settings.clamp == Clamp::samples},
         film_(EmptyFilmOf(settings)),
         schedule_(settings, {film_.Columns(), film_.AreasInRegion()}, settings.wants_passes || monitor.pass_done),
-        history_(settings, film_, static_cast<bool>(monitor.pass_done), MeasureFor(settings)),
+        history_(settings, film_, static_cast<bool>(monitor.pass_done), MeasureFor(settings), ErrorLeft()),
         progress_(settings, film_, BlocksOfOthers(settings, film_)),
         runner_({source_, film_, HasTwoStreams(settings), settings.threads, settings.tile_size, monitor.stop,
                  [this](std::int64_t pixels, const RayCounts& rays) {
@@ -91,6 +101,10 @@ class Job {
         break;
       }
       const PassOutcome pass = EndPass();
+      if (denoiser_ && denoiser_->WasStopped()) {
+        stop = Stop::request;
+        break;
+      }
       stop = end == PassRunner::End::complete ? schedule_.Next(pass) : Stop::time;
       if (stop) break;
       const std::uint32_t end_of_pass = history_.Passes().back().end;
@@ -137,6 +151,17 @@ class Job {
     return [this](std::span<const int> blocks) { monitor_.blocks_done(film_, blocks); };
   }
 
+  /// Looks at the denoised image, if its error decides when the render ends. An image that will not be denoised has the
+  /// error that it has.
+  PassHistory::LookAtDenoised ErrorLeft() {
+    if (!denoiser_ || !settings_.budget.error || settings_.replay) return {};
+    return [this](const MeasuredError& noisy, const UnseenLight& unseen) -> PassHistory::Look {
+      if (denoiser_->HasFailed() || !time_.HasTimeToDenoise()) return {noisy};
+      if (!MayDoDenoised(noisy, *settings_.budget.error) || !time_.HasTimeToLook()) return {};
+      return {denoiser_->ErrorLeft(film_, unseen), denoiser_->WasStopped()};
+    };
+  }
+
   void Resume(RenderState&& state) {
     for (int i = 0; i < film_.Blocks(); ++i) film_[i] = std::move(state.blocks[static_cast<std::size_t>(i)]);
     schedule_.Resume(std::move(state.schedule));
@@ -168,14 +193,15 @@ class Job {
     PassOutcome pass;
     pass.seconds_taken = time_.Seconds() - pass_begin_.seconds;
     pass.samples_taken = samples - pass_begin_.samples;
-    pass.error = history_.Note(schedule_, samples, time_.SecondsOfRender(), Unseen());
+    if (schedule_.LooksAtContrast()) pass.contrasts = Contrasts(film_, settings_);
+    const double seconds_of_render = time_.SecondsOfRender();
+    const double seconds_of_sample = pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0;
+    time_.Look(film_, samples, seconds_of_sample, runner_.Rays().Total(), monitor_.stop);
+    pass.error = history_.Note(schedule_, samples, seconds_of_render, Unseen());
     if (const auto forecast = history_.Forecast(); pass.error && forecast) {
       pass.has_stalled = forecast->has_stalled;
       progress_.Expect(forecast->samples);
     }
-    if (schedule_.LooksAtContrast()) pass.contrasts = Contrasts(film_, settings_);
-    const double seconds_of_sample = pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0;
-    time_.Look(film_, samples, seconds_of_sample, runner_.Rays().Total(), monitor_.stop);
     pass.seconds_after = time_.SecondsAfter();
     pass.seconds_after_per_sample = time_.SecondsAfterPerSample();
     pass.now = time_.Seconds();
@@ -199,6 +225,7 @@ class Job {
 
   const RenderSettings& settings_;
   const RenderMonitor& monitor_;
+  ImageDenoiser* const denoiser_;
   TimeBudget time_;
   const CameraRays camera_;
   const Caustics caustics_;
@@ -221,18 +248,25 @@ std::optional<DenoiseForecast> DenoiseForecastOf(const World& world, const Accel
   return std::optional<DenoiseForecast>(std::in_place, world, accelerator, settings, MeasureFor(settings));
 }
 
+std::unique_ptr<ImageDenoiser> DenoiserOf(const World& world, const Accelerator& accelerator,
+                                          const RenderSettings& settings, const RenderMonitor& monitor) {
+  if (!settings.denoise) return nullptr;
+  return std::make_unique<ImageDenoiser>(world, accelerator, settings, MeasureFor(settings), monitor);
+}
+
 RenderResult RenderWithoutFlare(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                                 const RenderMonitor& monitor) {
   const auto start = Job::Clock::now();
   const auto integrator = IntegratorOf(world, accelerator, settings);
   auto forecast = DenoiseForecastOf(world, accelerator, settings);
-  Job job(world, *integrator, settings, monitor, start, forecast ? &*forecast : nullptr);
+  auto denoiser = DenoiserOf(world, accelerator, settings, monitor);
+  Job job(world, *integrator, settings, monitor, start, denoiser.get(), forecast ? &*forecast : nullptr);
   RenderResult result = job.Run();
-  if (!settings.denoise || !result.IsComplete() || (settings.replay && !settings.replay->denoised)) return result;
+  if (!denoiser || !result.IsComplete() || (settings.replay && !settings.replay->denoised)) return result;
   const TimeBudget& time = job.time();
   result.had_no_time_to_denoise = time.Denoises() && !(time.HasTimeToDenoise() && job.film().HasBothParts());
   if (result.had_no_time_to_denoise) return result;
-  DenoiseResult(world, accelerator, settings, job.film(), MeasureFor(settings), time.EndOfGuides(), monitor, result);
+  denoiser->Finish(job.film(), time.EndOfGuides(), result);
   if (!result.IsComplete() && monitor.save) monitor.save(job.State());
   return result;
 }
@@ -270,7 +304,8 @@ std::optional<RenderState> NextRound(const World& world, const Accelerator& acce
   RenderMonitor from_start = monitor;
   from_start.seconds_before = 0;
   auto forecast = DenoiseForecastOf(world, accelerator, settings);
-  return Job(world, *integrator, settings, from_start, start, forecast ? &*forecast : nullptr)
+  auto denoiser = DenoiserOf(world, accelerator, settings, from_start);
+  return Job(world, *integrator, settings, from_start, start, denoiser.get(), forecast ? &*forecast : nullptr)
       .NextRound(std::move(state));
 }
 

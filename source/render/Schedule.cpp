@@ -22,6 +22,7 @@ constexpr double share_of_time_at_once = 0.6;         // of what is left, by a p
 constexpr double share_of_time_not_used = 0.01;       // is too little for another pass
 constexpr double seconds_without_news = 1;            // that the first sample of all pixels may take in one pass
 constexpr double fall_of_error = 0.75;                // error ~ samples^-this, for guessing how many are needed
+constexpr double fall_if_denoised = 0.5;              // of a denoised image
 // No block stops early where blocks that seem good enough may hold more than this share of the squared error: see
 // HidesAnywhere.
 constexpr double most_surprise = 0.05;
@@ -103,6 +104,7 @@ Schedule::Schedule(const RenderSettings& settings, BlockGrid blocks, bool in_pas
       in_passes_(budget_.IsOpen() || in_passes || !ShowsCosts(settings.mode)),
       two_streams_(HasTwoStreams(settings)),
       looks_at_neighbors_(SamplesWhereNeighborsDiffer(settings)),
+      is_denoised_(settings.denoise),
       most_places_(IsSubsampled(settings) ? settings.places : BlockOrder::places),
       is_subsampled_(IsSubsampled(settings)),
       ceiling_(Ceiling(settings)),
@@ -232,13 +234,16 @@ void Schedule::ReplayTo(std::uint32_t end) {
 
 /// Twice as many, or fewer when the error is close to its target: a multiple of a large power of two, at which the
 /// sequences are well distributed. In between errors may even rise: of scenes/camera_motion.scn from .95 / 255 at 16
-/// samples of each stream to 1.10 at 19, before they fall to .76 at 24 and .54 at 32.
+/// samples of each stream to 1.10 at 19, before they fall to .76 at 24 and .54 at 32. If each look takes a filter,
+/// steps are longer, so that there are fewer.
 std::uint32_t Schedule::NextEnd(const MeasuredError* error) const {
   const std::uint32_t end = state_.end, twice = 2 * end;  // fits, since -samples is an int
   if (!error) return twice;
-  const double growth = R1::Pow(error->square_high / SquaredTargetOf(*error), 0.5 / fall_of_error);
-  if (!(growth < 1.7)) return twice;
-  const std::uint32_t step = std::max(1u, std::bit_floor(end) / 4);
+  const double target = SquaredTargetOf(*error), fall = is_denoised_ ? fall_if_denoised : fall_of_error;
+  if (is_denoised_ && error->square > 4 * target && end < most_samples) return 2 * twice;
+  const double growth = R1::Pow(error->square_high / target, 0.5 / fall);
+  if (!(growth < (is_denoised_ ? 1.5 : 1.7))) return twice;
+  const std::uint32_t step = std::max(1u, std::bit_floor(end) / (is_denoised_ ? 2 : 4));
   const auto wanted = std::max(end, static_cast<std::uint32_t>(growth * end));
   return std::min(twice, (wanted / step + 1) * step);
 }
@@ -252,8 +257,10 @@ std::vector<std::uint32_t> Schedule::ChooseBlocks(std::uint32_t end, const Measu
   std::vector<double> squares = error.square_of_blocks;
   const bool has_looked_before = !last.empty();
   const bool hides_anywhere = HidesAnywhere(error, squares);
+  for (double& square : squares) square = std::max(0.0, square);  // of a denoised image they may be negative
+  std::vector<double> now = squares;
   for (std::size_t i = 0; i < last.size(); ++i) squares[i] = std::max(squares[i], fall * last[i]);
-  state_.last_squared_errors = error.square_of_blocks;
+  state_.last_squared_errors = std::move(now);
 
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
   if (!has_looked_before || hides_anywhere) return targets;

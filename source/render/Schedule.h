@@ -115,7 +115,7 @@ class Schedule {
   std::optional<Replay> replay_;
   BlockGrid blocks_;
   double pixels_;  // of the picture
-  bool in_passes_, two_streams_, looks_at_neighbors_;
+  bool in_passes_, two_streams_, looks_at_neighbors_, is_denoised_;
   int most_places_;  // of a block that are looked at where it has no samples
   bool is_subsampled_;
   std::uint32_t ceiling_, first_decision_;  // samples per pixel and stream

@@ -28,9 +28,7 @@ constexpr std::size_t least_squares = 16, most_squares = 256;  // their error is
 // Filters also need the surroundings of a square, which are three times its pixels for squares of this size.
 constexpr int filtered_side = 32;
 constexpr std::size_t least_filtered_squares = 4, most_filtered_squares = 16;
-constexpr double seconds_filtered = 1.5;
 constexpr std::size_t all_squares = 1 << 30;  // more squares than any image has
-constexpr double most_filtered_samples = 1 << 20;
 constexpr ErrorTarget usual_target{2, ErrorUnit::display};  // noise that is barely visible
 
 /// Options by name and value; the value of a flag is empty.
@@ -90,7 +88,6 @@ std::vector<Knob> KnobsOfLight(const SceneFeatures& has, const RenderSettings& r
 struct Forecast {
   Settings settings;
   double samples = 0, seconds = 0;  // per pixel; of one processor, from the start of the program to the written file
-  double seconds_of_sample = 0;     // of all pixels, as far as they were probed
 };
 
 bool HasName(const Settings& settings, const std::string& name) {
@@ -109,15 +106,16 @@ class Advisor {
                         SecondsToFinish(options_.render, EncoderOf(ImageName(options), options.encoding))) {
     // The time of a few squares determines how many are probed, to twice as many samples.
     const PixelRectangle image = RegionOf(options_.render);
+    RenderSettings noisy = options_.render;
+    noisy.denoise = false;
     const auto few = SquaresToProbe(image, square_side, 4);
-    const double seconds = 2 * ProbeToError(world_, accelerator_, options_.render, few, 0).passes.back().seconds;
-    const auto area = static_cast<double>(image.Area());
-    const double count = std::clamp(seconds_a_probe / seconds * area / (square_side * square_side), 1.0 * least_squares,
-                                    1.0 * most_squares);
-    has_time_for_all_ = seconds < seconds_a_probe;
-    // A power of two, so that machines of similar speed probe the same squares.
-    const std::size_t some_squares = std::bit_floor(static_cast<std::size_t>(count));
-    squares_ = SquaresToProbe(image, square_side, has_time_for_all_ ? all_squares : some_squares);
+    const Pass pass = ProbeToError(world_, accelerator_, noisy, few, 0).passes.back();
+    has_time_for_all_ = 2 * pass.seconds < seconds_a_probe;
+    squares_ = SquaresInTime(2 * pass.seconds, square_side, least_squares, most_squares);
+    // Some 8 samples are filtered, of a square and of as much around it.
+    constexpr double samples = 8, times_larger = 4, share_of_samples = 0.5;
+    filtered_squares_ = SquaresInTime(times_larger / share_of_samples * samples * pass.seconds / pass.samples,
+                                      filtered_side, least_filtered_squares, most_filtered_squares);
     asked_ = Probed({});
   }
 
@@ -144,9 +142,9 @@ class Advisor {
       try_settings(both);
     }
     if (CanDenoise() && !IsNoiseless()) {
-      const Forecast filtered = Filtered(best_.settings);
-      rows += Row(filtered);
-      if (filtered.seconds < best_.seconds) best_ = filtered;
+      Settings filtered = best_.settings;
+      filtered.emplace_back("denoise", "");
+      try_settings(filtered);
     }
     if (!IsNoticeablyFaster(best_)) best_ = asked_forecast_;
     std::string light;
@@ -177,58 +175,28 @@ class Advisor {
     return changed.render;
   }
   Probe Probed(const Settings& settings) const {
-    return ProbeToError(world_, accelerator_, With(settings), squares_, seconds_a_probe);
+    const RenderSettings render = With(settings);
+    return ProbeToError(world_, accelerator_, render, render.denoise ? filtered_squares_ : squares_, seconds_a_probe);
   }
   Forecast ForecastOfProbe(const Probe& probe, const Settings& settings) const {
     const Probe::Arrival arrival = probe.ArrivalAt(target_);
-    const Pass& last = probe.passes.back();
-    return {settings, arrival.samples, arrival.seconds + seconds_beside_, last.seconds / last.samples};
+    return {settings, arrival.samples, arrival.seconds + seconds_beside_};
   }
 
   bool CanDenoise() const {
-    return options_.render.mode == RenderMode::whitted || options_.render.mode == RenderMode::path;
+    const RenderSettings& render = options_.render;
+    return !render.denoise && (render.mode == RenderMode::whitted || render.mode == RenderMode::path);
   }
-  /// Returns as many squares as can be sampled 8 times and filtered in the available time.
-  std::vector<PixelRectangle> FilteredSquares() const {
-    constexpr double samples = 8, pixels = 4 * filtered_side * filtered_side;  // of a square and its surroundings
+  /// Returns as many squares as there is time to probe, if the whole image takes `seconds_of_image`. Their number is a
+  /// power of two, so that machines of similar speed probe the same squares.
+  std::vector<PixelRectangle> SquaresInTime(double seconds_of_image, int side, std::size_t least,
+                                            std::size_t most) const {
     const PixelRectangle image = RegionOf(options_.render);
-    const double seconds = best_.seconds_of_sample * samples * pixels / static_cast<double>(image.Area());
-    const double count =
-        std::clamp(seconds_filtered / 2 / seconds, 1.0 * least_filtered_squares, 1.0 * most_filtered_squares);
-    return SquaresToProbe(image, filtered_side, has_time_for_all_ ? all_squares : static_cast<std::size_t>(count));
-  }
-  /// Forecasts a render with a fixed number of samples, since -error stops by the error before the filter.
-  Forecast Filtered(Settings settings) const {
-    RenderSettings render = With(settings);
-    if (!has_time_for_all_) render.budget.error = Stricter(target_);
-    const Probe probe = ProbeDenoised(world_, accelerator_, render, FilteredSquares(), seconds_filtered);
-    const Probe::Arrival arrival = probe.ArrivalAt(*render.budget.error);
-    double samples = arrival.samples;
-    if (probe.stop && !has_time_for_all_ && probe.passes.size() > 1) {
-      // Fewer samples than those of the last pass may suffice.
-      const auto before = std::span(probe.passes).first(probe.passes.size() - 1);
-      const auto between = ray::ForecastOf(before, *render.budget.error);
-      samples = std::min(samples, between->samples);
-    }
-    const bool is_reached = samples < most_filtered_samples;
-    if (is_reached) samples = RoundedUp(samples);
-    if (is_reached) settings.emplace_back("samples", Fixed(samples, 0));
-    settings.emplace_back("denoise", "");
-    return {settings, is_reached ? samples : arrival.samples,
-            is_reached ? seconds_beside_ + arrival.seconds * samples / arrival.samples : arrival.samples};
-  }
-  /// Returns the target for a few squares, stricter so that the whole image reaches the requested one.
-  ///   source   claims of 16 squares were 0.8 to 1.1 times those of the whole image in the scenes of script/advice.py
-  static ErrorTarget Stricter(ErrorTarget target) {
-    constexpr double margin = 1.2;
-    target.value = target.unit == ErrorUnit::decibel ? target.value + 20 * R1::Log10(margin) : target.value / margin;
-    return target;
-  }
-  /// Rounds to a count at which the sequences of both streams are well distributed, as the schedule of -error does.
-  static double RoundedUp(double samples) {
-    const auto of_stream = static_cast<std::uint32_t>(std::ceil(samples / 2));
-    const std::uint32_t step = std::max(1u, std::bit_floor(of_stream) / 4);
-    return 2.0 * ((of_stream + step - 1) / step * step);
+    if (has_time_for_all_) return SquaresToProbe(image, side, all_squares);
+    const double in_time = seconds_a_probe / seconds_of_image * static_cast<double>(image.Area()) / (side * side);
+    const auto count =
+        static_cast<std::size_t>(std::clamp(in_time, static_cast<double>(least), static_cast<double>(most)));
+    return SquaresToProbe(image, side, std::bit_floor(count));
   }
 
   /// Returns true if one setting makes the other useless: in mode whitted, a light that is chosen gets one shadow ray.
@@ -271,8 +239,7 @@ class Advisor {
     if (!std::isfinite(best_.seconds))
       return "No settings reach " + Target() + (options_.render.samples > 1 ? " with so few -samples" : "") + ".\n";
     std::string add = Typed(best_.settings);
-    if (!has_target_ && !HasName(best_.settings, "denoise"))
-      add += (add.empty() ? "-error " : " -error ") + ShowErrorTarget(target_);
+    if (!has_target_) add += (add.empty() ? "-error " : " -error ") + ShowErrorTarget(target_);
     if (best_.settings.empty())
       return "No other settings get to " + Target() + " noticeably faster" + (add.empty() ? "" : "; add: " + add) +
              "\n";
@@ -291,7 +258,8 @@ class Advisor {
   }
   double Pixels() const {
     double pixels = 0;
-    for (const PixelRectangle& square : squares_) pixels += static_cast<double>(square.Area());
+    for (const PixelRectangle& square : options_.render.denoise ? filtered_squares_ : squares_)
+      pixels += static_cast<double>(square.Area());
     return pixels;
   }
 
@@ -302,7 +270,7 @@ class Advisor {
   const ErrorTarget target_;
   const double seconds_beside_;  // for starting, and for writing the image
   bool has_time_for_all_ = false;
-  std::vector<PixelRectangle> squares_;
+  std::vector<PixelRectangle> squares_, filtered_squares_;  // filtered_squares_ are for settings with -denoise
   Probe asked_;
   Forecast asked_forecast_, best_;
 };

@@ -8,7 +8,7 @@
 #include "source/app/report/Resources.h"
 #include "source/film/denoise/DenoisedError.h"
 #include "source/integrate/lights/Caustics.h"
-#include "source/render/DenoiseResult.h"
+#include "source/render/ImageDenoiser.h"
 #include "source/render/PassHistory.h"
 #include "source/render/PassRunner.h"
 #include "source/render/RenderInputs.h"
@@ -17,7 +17,6 @@ namespace ray {
 namespace {
 
 constexpr int block_side = Film::block_side;
-constexpr std::uint32_t first_filtered = 2;  // samples per pixel and stream; with fewer, claims are mere guesses
 
 /// Returns settings whose errors are measured in the target's unit.
 RenderSettings ForProbing(RenderSettings settings) {
@@ -178,11 +177,6 @@ class Squares {
   double seconds_to_prepare_ = 0, times_larger_ = 1;
 };
 
-void Finish(const Squares& squares, const MeasuredError& error, Probe& probe) {
-  probe.light = MeanOf(squares.film().Picture());
-  probe.square = error.square;
-}
-
 }  // namespace
 
 std::vector<PixelRectangle> SquaresToProbe(const PixelRectangle& image, int side, std::size_t most) {
@@ -222,54 +216,33 @@ Probe::Arrival Probe::ArrivalAt(const ErrorTarget& target) const {
 
 Probe ProbeToError(const World& world, const Accelerator& accelerator, const RenderSettings& asked,
                    const std::vector<PixelRectangle>& rectangles, double seconds) {
-  RenderSettings settings = ForProbing(asked);
-  settings.denoise = false;
+  const RenderSettings settings = ForProbing(asked);
   Squares squares(world, accelerator, settings, rectangles);
   const Film& film = squares.film();
   Schedule schedule(settings, {film.Columns(), film.AreasInRegion()}, false);
-  PassHistory history(settings, film, false, squares.Measure());
   Probe probe;
+  const auto look = [&](const MeasuredError& noisy, const UnseenLight& unseen) {
+    MeasuredError error = noisy;
+    if (settings.denoise) {
+      error = MeasureDenoisedError(film, squares.Denoised(), squares.Measure());
+      AllowFor(unseen, squares.Measure(), error);
+    }
+    probe.square = noisy.square;
+    return PassHistory::Look{std::move(error)};
+  };
+  PassHistory history(settings, film, false, squares.Measure(), look);
   while (schedule.State().end == 0) schedule.Next({});  // the initial passes are part of the first samples
   bool is_measured = false;
   while (!probe.stop && !(is_measured && squares.SecondsTaken() > seconds)) {
     squares.SampleTo(schedule.State().targets.samples);
     PassOutcome pass;
     pass.error = history.Note(schedule, CountSamples(film).mean, squares.SecondsOfImage(), squares.Unseen());
-    if (pass.error) Finish(squares, *pass.error, probe), is_measured = true;
+    if (pass.error) probe.light = MeanOf(film.Picture()), is_measured = true;
     if (const auto forecast = history.Forecast()) pass.has_stalled = forecast->has_stalled;
     probe.stop = schedule.Next(pass);
   }
   probe.passes = history.Passes();
   probe.passes.back().seconds = squares.SecondsOfImage();
-  return probe;
-}
-
-Probe ProbeDenoised(const World& world, const Accelerator& accelerator, const RenderSettings& asked,
-                    const std::vector<PixelRectangle>& rectangles, double seconds) {
-  RenderSettings settings = ForProbing(asked);
-  settings.denoise = true;
-  settings.samples = 1;
-  const ErrorTarget target = *settings.budget.error;
-  Squares squares(world, accelerator, settings, rectangles);
-  Probe probe;
-  double seconds_of_looks = 0;
-  // The interval is that of the squares alone, which is wider: a fixed number of samples must suffice, since the actual
-  // render does not stop by its error.
-  ErrorMeasure measure = squares.Measure();
-  measure.share = 1;
-  const auto blocks = static_cast<std::size_t>(squares.film().Blocks());
-  const auto has_time = [&] { return probe.passes.empty() || squares.SecondsTaken() < seconds; };
-  for (std::uint32_t end = first_filtered; !probe.stop && has_time(); end *= 2) {
-    squares.SampleTo(std::vector<std::uint32_t>(blocks, end));
-    const double before = squares.SecondsOfImage();
-    MeasuredError error = MeasureDenoisedError(squares.film(), squares.Denoised(), measure);
-    AllowFor(squares.Unseen(), measure, error);
-    const double after = squares.SecondsOfImage();
-    probe.passes.push_back({end, 2.0 * end, after - seconds_of_looks, error.estimate});
-    seconds_of_looks += after - before;
-    Finish(squares, error, probe);
-    if (error.square_high <= SquaredTarget(target.value, {.unit = target.unit}, error.mean)) probe.stop = Stop::error;
-  }
   return probe;
 }
 

@@ -24,7 +24,7 @@ struct Probe {
   std::vector<Pass> passes;  // samples per pixel, errors and seconds of one processor for the whole image
   std::optional<Stop> stop;  // std::nullopt if the probe ended first
   double light = 0;          // mean of the squares' pixels
-  double square = 0;         // of the error of `passes.back()`, of the squares alone
+  double square = 0;         // of the squares' error before any filter, after `passes.back()`
 
   /// The samples and time of a render that reaches a target.
   struct Arrival {
@@ -35,14 +35,9 @@ struct Probe {
 };
 
 /// Renders the squares with one thread as -error renders the whole image, pass by pass until settings.budget.error is
-/// reached: the schedule and the estimate of the error are the same.
+/// reached: the schedule and the estimate of the error, denoised or not, are the same.
 ///   seconds   of one processor, after which no pass begins once an error has been measured
 Probe ProbeToError(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                    const std::vector<PixelRectangle>& squares, double seconds);
-
-/// Renders the squares at 4, 8, 16, ... samples per pixel and filters them each time, until the remaining error is at
-/// settings.budget.error. Each pass has the seconds of a render that ends with it.
-Probe ProbeDenoised(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                    const std::vector<PixelRectangle>& squares, double seconds);
 
 }  // namespace ray

@@ -45,7 +45,7 @@ std::span<const ReportField> ReportFields() {
        "a reference; before_denoising and denoised_by where it was denoised; null below two samples"},
       {"passes",
        "for each pass: end (samples per pixel and stream), samples (mean per pixel), seconds (since the "
-       "first ray), error (or null)"},
+       "first ray), error (left by the filter with -denoise and -error; or null)"},
   };
   return fields;
 }

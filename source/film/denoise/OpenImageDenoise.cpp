@@ -2,7 +2,12 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <vector>
 
 namespace ray {
 namespace {
@@ -11,12 +16,38 @@ namespace {
 constexpr int processor = 1;  // OIDN_DEVICE_TYPE_CPU
 constexpr int float3 = 3;     // OIDN_FORMAT_FLOAT3
 
+/// Returns the paths that the library may have in the Python package pyoidn: of the virtual environment, the user, or
+/// the system. Debian 12 has no other package of it.
+std::vector<std::string> PathsInPython() {
+  namespace fs = std::filesystem;
+  const char* const environment = std::getenv("VIRTUAL_ENV");
+  const char* const home = std::getenv("HOME");
+  std::vector<fs::path> prefixes;
+  if (environment && *environment) prefixes.push_back(fs::path(environment) / "lib");
+  if (home && *home) prefixes.push_back(fs::path(home) / ".local/lib");
+  prefixes.emplace_back("/usr/local/lib");
+  std::vector<std::string> paths;
+  for (const fs::path& prefix : prefixes) {
+    const std::ptrdiff_t first = std::ssize(paths);
+    std::error_code error;  // a folder that is missing or unreadable has no packages
+    for (fs::directory_iterator folder(prefix, error), end; !error && folder != end; folder.increment(error))
+      if (folder->path().filename().string().starts_with("python3"))
+        for (const char* packages : {"site-packages", "dist-packages"})
+          paths.push_back(folder->path() / packages / "pyoidn/oidn/lib/libOpenImageDenoise.so.2");
+    std::sort(paths.begin() + first, paths.end());  // a folder's order is any
+  }
+  return paths;
+}
+
 /// Loaded once, and never given back: its threads may still run in it.
 void* Library() {
   static void* const library = [] {
     void* found = nullptr;
     for (const char* name : {"libOpenImageDenoise.so.2", "libOpenImageDenoise.so.1", "libOpenImageDenoise.so"})
       if (!found) found = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+    if (found) return found;
+    for (const std::string& path : PathsInPython())
+      if (!found) found = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     return found;
   }();
   return library;
@@ -25,7 +56,9 @@ void* Library() {
 void* FindInLibrary(const char* name) {
   if (!Library())
     throw DenoiserError(
-        "Open Image Denoise is not installed: libOpenImageDenoise.so.2 (or .so.1) was not found (set LD_LIBRARY_PATH)");
+        "Open Image Denoise is not installed: libOpenImageDenoise.so.2 (or .so.1) was not found (pip install pyoidn, "
+        "or "
+        "set LD_LIBRARY_PATH)");
   return dlsym(Library(), name);
 }
 

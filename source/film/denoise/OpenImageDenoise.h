@@ -16,8 +16,9 @@ struct DenoiserError : std::runtime_error {
 };
 
 /// Intel Open Image Denoise, versions 1.4 and later, on the processor: a neural network trained on path traced
-/// images. The library is loaded when it is first used, so that programs run without it. Its results are bit-identical
-/// for any number of threads, but may differ on another machine or in another version.
+/// images. The library is loaded when it is first used, so that programs run without it: that of the system, or else
+/// that of the Python package pyoidn. Its results are bit-identical for any number of threads, but may differ on
+/// another machine or in another version.
 ///   source   Open Image Denoise API reference (openimagedenoise.org/documentation.html), filter RT
 class OpenImageDenoise {
  public:

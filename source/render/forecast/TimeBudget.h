@@ -54,6 +54,8 @@ class TimeBudget {
   bool Denoises() const { return denoise_ != nullptr; }
   /// Whether there was time to denoise; true as well where nothing is to be denoised within a limit.
   bool HasTimeToDenoise() const { return after_.is_in_time; }
+  /// Returns true if there is time to denoise the image twice: now, to measure its error, and at the end.
+  bool HasTimeToLook() const { return !IsLimited() || 2 * after_.seconds < SecondsUntilWriting(); }
   /// When the denoiser's guides must be done, so that its filters are in time; nothing without a limit.
   std::optional<Clock::time_point> EndOfGuides() const;
 

@@ -1,5 +1,6 @@
 #include "source/film/denoise/DenoiseFilters.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -56,6 +57,21 @@ TEST(Denoiser, ThatIsMissingIsReportedBeforeTheFirstRay) {
   EXPECT_EQ(place.Run("a.pfm", {"-samples", "4", "-denoise", "-denoiser", "auto"}).status, status::done);
   EXPECT_EQ(place.Run("b.pfm", {"-samples", "4", "-denoise"}).status, status::done);
   EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm"));
+}
+
+// Some other library in its place is refused for what it lacks, so it has been loaded.
+TEST(Denoiser, OfThePythonPackageIsFound) {
+  NEEDS_THE_PROGRAM();
+  if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
+  Dl_info info{};
+  ASSERT_NE(dladdr(dlsym(RTLD_DEFAULT, "jpeg_std_error"), &info), 0);
+  const StageForDenoiser place;
+  const std::filesystem::path folder = place / "lib/python3.11/site-packages/pyoidn/oidn/lib";
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(info.dli_fname, folder / "libOpenImageDenoise.so.2");
+  const List words{place.Scene(), place / "a.png", "-samples", "4", "-denoise", "-denoiser", "both"};
+  const Finished run = RunProgram(words, {.environment = {{"VIRTUAL_ENV", std::string(place / ".")}}});
+  EXPECT_TRUE(Has(run.error, "the installed Open Image Denoise has no function oidnNewDevice")) << run.error;
 }
 
 TEST(Denoiser, WithoutDenoisingIsWarnedOfAndNotLoaded) {

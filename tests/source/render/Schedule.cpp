@@ -527,5 +527,27 @@ TEST(Schedule, OfNeighborsIsOffForBudgetsAndCostModes) {
   EXPECT_EQ(Schedule(settings, Grid(), false).State().targets.samples, AllAt(9));
 }
 
+// Each look takes a filter, so there are few where the error is far from its target; close to it steps are long.
+TEST(Schedule, DenoisedImagesAreLookedAtRarely) {
+  RenderSettings settings = ToErrorOne();
+  settings.denoise = true;
+  Schedule schedule = Deciding(settings);
+  ASSERT_FALSE(schedule.Next(Found(16)));
+  EXPECT_EQ(schedule.State().end, 32u);
+  ASSERT_FALSE(schedule.Next(Found(1.1)));
+  EXPECT_EQ(schedule.State().end, 48u);
+  ASSERT_FALSE(schedule.Next(Found(2)));
+  EXPECT_EQ(schedule.State().end, 96u);
+}
+
+// Errors of filtered blocks are differences of squares; a checkpoint may not hold any below 0.
+TEST(Schedule, BlocksWhoseErrorIsEstimatedBelow0CountAs0) {
+  RenderSettings settings = ToErrorOne();
+  settings.denoise = true;
+  Schedule schedule = Deciding(settings);
+  ASSERT_FALSE(schedule.Next(FoundInCorner(64, -0.5)));
+  EXPECT_EQ(std::ranges::min(schedule.State().last_squared_errors), 0);
+}
+
 }  // namespace
 }  // namespace ray

@@ -102,19 +102,18 @@ TEST(ProbeToError, MeasuresAnErrorInAnyTime) {
   EXPECT_GT(arrival.seconds, probe.passes.back().seconds);
 }
 
-TEST(ProbeDenoised, OfTheWholeImageLeavesTheErrorOfTheRender) {
+TEST(ProbeToError, ADenoisedWholeImageIsTheRender) {
   const Subject subject;
   const ErrorTarget target{1.2, ErrorUnit::display};
   RenderSettings settings = Settings(56, 44, target);
-  const Probe probe = ProbeDenoised(subject.world, *subject.accelerator, settings, {PixelRectangle{0, 0, 56, 44}}, 1e9);
-  ASSERT_EQ(probe.stop, Stop::error);
-  settings.budget = {};
   settings.denoise = true;
-  for (const Pass& pass : probe.passes) {
-    settings.samples = static_cast<int>(pass.samples);
-    const RenderResult result = Render(subject.world, *subject.accelerator, settings);
-    EXPECT_NEAR(pass.error->high, result.error->high, 1e-3 * result.error->high) << pass.samples;
-  }
+  const Probe probe = Probed(subject, settings, {PixelRectangle{0, 0, 56, 44}});
+  const RenderResult result = Render(subject.world, *subject.accelerator, settings);
+  EXPECT_EQ(probe.stop, Stop::error);
+  ASSERT_EQ(probe.passes.back().end, result.passes.back().end);
+  EXPECT_NEAR(probe.passes.back().error->high, result.error->high, 1e-3 * result.error->high);
+  EXPECT_NEAR(std::sqrt(probe.square) * 255, result.error_before_denoising->estimate,
+              1e-3 * result.error_before_denoising->estimate);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "source/render/DenoiseResult.h"
+#include "source/render/ImageDenoiser.h"
 #include "tests/Project.h"
 
 namespace ray {

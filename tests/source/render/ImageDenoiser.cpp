@@ -1,10 +1,12 @@
-#include "source/render/DenoiseResult.h"
+#include "source/render/ImageDenoiser.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <optional>
+#include <thread>
 
 #include "source/film/denoise/OpenImageDenoise.h"
 #include "source/film/error/PictureError.h"
@@ -26,7 +28,7 @@ RenderSettings Indirect(int samples) {
 
 project::Stage Room() { return project::Stage(project::Root() / "scenes" / "indirect.scn"); }
 
-TEST(DenoiseResult, MoreThanHalvesTheErrorOfIndirectLightAsClaimed) {
+TEST(ImageDenoiser, MoreThanHalvesTheErrorOfIndirectLightAsClaimed) {
   const project::Stage stage = Room();
   std::vector<R2::Image> references;
   for (const std::uint64_t seed : {4711, 4712}) {
@@ -49,7 +51,7 @@ TEST(DenoiseResult, MoreThanHalvesTheErrorOfIndirectLightAsClaimed) {
   EXPECT_NEAR(std::sqrt(claimed / truth), 1, 0.2);
 }
 
-TEST(DenoiseResult, NoBitDependsOnThreadsOrTiles) {
+TEST(ImageDenoiser, NoBitDependsOnThreadsOrTiles) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   RenderSettings settings;
   settings.width = 45;
@@ -66,7 +68,7 @@ TEST(DenoiseResult, NoBitDependsOnThreadsOrTiles) {
   EXPECT_EQ(one.rays.Total(), three.rays.Total());
 }
 
-TEST(DenoiseResult, WithoutDenoisingThereIsOneStreamAndNoFilter) {
+TEST(ImageDenoiser, WithoutDenoisingThereIsOneStreamAndNoFilter) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(4);
   const RenderResult plain = project::Render(stage, settings);
@@ -76,7 +78,7 @@ TEST(DenoiseResult, WithoutDenoisingThereIsOneStreamAndNoFilter) {
   EXPECT_GT(project::Render(stage, settings).rays[RayKind::camera].rays, plain.rays[RayKind::camera].rays);
 }
 
-TEST(DenoiseResult, AFailingLibraryLeavesTheImageAndSaysWhy) {
+TEST(ImageDenoiser, AFailingLibraryLeavesTheImageAndSaysWhy) {
   if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(4);
@@ -91,13 +93,13 @@ TEST(DenoiseResult, AFailingLibraryLeavesTheImageAndSaysWhy) {
   EXPECT_TRUE(project::Render(stage, settings).image == result.image);
 }
 
-TEST(DenoiseResult, WorksWithCropsFiltersAndUnevenSampleCounts) {
+TEST(ImageDenoiser, WorksWithCropsFiltersAndUnevenSampleCounts) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(64);
   settings.denoise = true;
   settings.crop = {5, 9, 50, 40};
   settings.filter = FilterKind::gaussian;
-  settings.budget.error = ErrorTarget{2, ErrorUnit::display};
+  settings.budget.error = ErrorTarget{0.8, ErrorUnit::display};
   const RenderResult result = project::Render(stage, settings);
   EXPECT_EQ(result.image.Width(), 45);
   EXPECT_LT(result.samples.least, result.samples.most);
@@ -116,7 +118,7 @@ TEST(DenoiseResult, WorksWithCropsFiltersAndUnevenSampleCounts) {
 }
 
 // Around it as much is rendered as its pixels depend on, edges and textures, mirrors and wide filters among it.
-TEST(DenoiseResult, ACropHasThePixelsOfTheWhole) {
+TEST(ImageDenoiser, ACropHasThePixelsOfTheWhole) {
   for (const char* scene : {"hello", "indirect", "glossy"})
     for (const FilterKind filter : {FilterKind::box, FilterKind::mitchell}) {
       const project::Stage stage(project::Root() / "scenes" / (std::string(scene) + ".scn"));
@@ -144,7 +146,7 @@ TEST(DenoiseResult, ACropHasThePixelsOfTheWhole) {
 
 // Squared errors are means over pixels, so those of parts have that of the whole as their mean. How much of a denoised
 // one is bias is guessed for all pixels together, which here changes half a percent.
-TEST(DenoiseResult, ErrorsOfPartsAddUpToTheWhole) {
+TEST(ImageDenoiser, ErrorsOfPartsAddUpToTheWhole) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(2);
   settings.denoise = true;
@@ -161,7 +163,7 @@ TEST(DenoiseResult, ErrorsOfPartsAddUpToTheWhole) {
 }
 
 // Around it there is noise, in what is rendered for its sake.
-TEST(DenoiseResult, ACropsErrorCountsItsOwnPixelsAlone) {
+TEST(ImageDenoiser, ACropsErrorCountsItsOwnPixelsAlone) {
   const project::Stage stage(project::FromText(
       "camera 0 2 6  0 -.3 -1  0 1 0  .5  .1 100 background .2 .3 .4 area_light 1 1 1  0 4 1  0 -1 0  1  1 0 0 "
       "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1 1 0 box 0  -4 -.1 -4  4 0 4 sphere 0  0 .8 0  .8"));
@@ -178,7 +180,7 @@ TEST(DenoiseResult, ACropsErrorCountsItsOwnPixelsAlone) {
   EXPECT_EQ(part.pixels_total, 4 * 48);
 }
 
-TEST(DenoiseResult, OnlyDenoisedCropsHaveSurroundings) {
+TEST(ImageDenoiser, OnlyDenoisedCropsHaveSurroundings) {
   RenderSettings settings = Indirect(4);
   settings.denoise = true;
   settings.crop = PixelRectangle{20, 20, 30, 30};
@@ -189,7 +191,7 @@ TEST(DenoiseResult, OnlyDenoisedCropsHaveSurroundings) {
 }
 
 // Glass beside glass: 128 rays of each pixel, each a tree of reflections, took twenty times as long as the picture.
-TEST(DenoiseResult, RefiningGuidesTakesAtMostSixRaysPerCameraRay) {
+TEST(ImageDenoiser, RefiningGuidesTakesAtMostSixRaysPerCameraRay) {
   for (const char* scene : {"glass", "hello", "glossy", "indirect", "refraction", "lens"})
     for (const RenderMode mode : {RenderMode::whitted, RenderMode::path})
       for (const int samples : {2, 16}) {
@@ -215,7 +217,7 @@ TEST(DenoiseResult, RefiningGuidesTakesAtMostSixRaysPerCameraRay) {
       }
 }
 
-TEST(DenoiseResult, ItsPhasesAreToldEachUpToItsEnd) {
+TEST(ImageDenoiser, ItsPhasesAreToldEachUpToItsEnd) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(4);
   settings.denoise = true;
@@ -237,7 +239,7 @@ TEST(DenoiseResult, ItsPhasesAreToldEachUpToItsEnd) {
   EXPECT_EQ(last.done, last.total);
 }
 
-TEST(DenoiseResult, KeepsTheRenderedImageWhenStoppedAndResumesExactly) {
+TEST(ImageDenoiser, KeepsTheRenderedImageWhenStoppedAndResumesExactly) {
   const project::Stage stage = Room();
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   RenderSettings settings = Indirect(4);
@@ -269,7 +271,7 @@ TEST(DenoiseResult, KeepsTheRenderedImageWhenStoppedAndResumesExactly) {
 }
 
 // The more rays the render took, the more the guides may take: those of work that was thrown away must not count.
-TEST(DenoiseResult, ResumedFromAnywhereIsTheSameBitForBit) {
+TEST(ImageDenoiser, ResumedFromAnywhereIsTheSameBitForBit) {
   const project::Stage stage(project::Root() / "scenes" / "glass.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   RenderSettings settings;
@@ -296,7 +298,7 @@ TEST(DenoiseResult, ResumedFromAnywhereIsTheSameBitForBit) {
   }
 }
 
-TEST(DenoiseResult, APictureThatWasStoppedIsNotFiltered) {
+TEST(ImageDenoiser, APictureThatWasStoppedIsNotFiltered) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(16);
   settings.denoise = true;
@@ -309,7 +311,7 @@ TEST(DenoiseResult, APictureThatWasStoppedIsNotFiltered) {
   EXPECT_FALSE(result.error_before_denoising);
 }
 
-TEST(DenoiseResult, AReplayOfItsSampleAllocationIsTheSamePicture) {
+TEST(ImageDenoiser, AReplayOfItsSampleAllocationIsTheSamePicture) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(16);
   settings.denoise = true;
@@ -319,7 +321,7 @@ TEST(DenoiseResult, AReplayOfItsSampleAllocationIsTheSamePicture) {
   EXPECT_TRUE(project::Render(stage, settings).image == first.image);
 }
 
-TEST(DenoiseResult, AReplayRefinesGuidesAsToldOrIsNotDenoised) {
+TEST(ImageDenoiser, AReplayRefinesGuidesAsToldOrIsNotDenoised) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(8);
   settings.denoise = true;
@@ -339,6 +341,87 @@ TEST(DenoiseResult, AReplayRefinesGuidesAsToldOrIsNotDenoised) {
   settings.replay->denoised = false;
   const RenderResult plain = project::Render(stage, settings);
   EXPECT_FALSE(plain.error_before_denoising || plain.had_no_time_to_denoise);
+}
+
+/// The room to a displayed error, denoised.
+RenderSettings IndirectToError(double error) {
+  RenderSettings settings = Indirect(1);
+  settings.denoise = true;
+  settings.budget.error = ErrorTarget{error, ErrorUnit::display};
+  return settings;
+}
+
+TEST(ImageDenoiser, AnErrorTargetIsReachedByTheDenoisedImage) {
+  const project::Stage stage = Room();
+  RenderSettings settings = IndirectToError(3);
+  const RenderResult denoised = project::Render(stage, settings);
+  EXPECT_EQ(denoised.stop, Stop::error);
+  EXPECT_LE(denoised.error->high, 3);
+  EXPECT_EQ(denoised.passes.back().error->high, denoised.error->high) << "passes have the error that decides";
+  EXPECT_GT(denoised.error_before_denoising->estimate, 3);
+  settings.denoise = false;
+  const RenderResult noisy = project::Render(stage, settings);
+  EXPECT_GT(noisy.samples.mean, 2 * denoised.samples.mean);
+}
+
+// Looks between passes change nothing of the last.
+TEST(ImageDenoiser, WhatAnErrorTargetLedToIsWhatAReplayMakes) {
+  const project::Stage stage = Room();
+  for (const double target : {8.0, 3.0, 1.5}) {
+    RenderSettings settings = IndirectToError(target);
+    const RenderResult first = project::Render(stage, settings);
+    settings.replay = Replay{first.two_streams, first.planned_samples, {}, first.block_samples, {}};
+    for (const Pass& pass : first.passes) settings.replay->ends.push_back(pass.end);
+    settings.replay->looked_at_error = true;
+    const RenderResult again = project::Render(stage, settings);
+    EXPECT_TRUE(again.image == first.image) << target;
+    EXPECT_EQ(again.error->high, first.error->high) << target;
+    EXPECT_EQ(again.error_before_denoising->high, first.error_before_denoising->high) << target;
+    EXPECT_EQ(again.rays.Total(), first.rays.Total()) << target;
+  }
+}
+
+// Wherever it is stopped, in samples or in a look that the filters take.
+TEST(ImageDenoiser, AnErrorTargetIsResumedFromAnywhereBitForBit) {
+  const project::Stage stage = Room();
+  const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
+  const RenderSettings settings = IndirectToError(3);
+  const RenderResult whole = Render(stage.world, *accelerator, settings);
+  std::optional<RenderState> kept;
+  int stops = 0;
+  RenderResult last;
+  for (int round = 0; round < 100; ++round) {
+    std::atomic<bool> stop = false;
+    std::thread timer([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(3 * (round + 1)));
+      stop = true;
+    });
+    RenderMonitor monitor;
+    monitor.stop = &stop;
+    monitor.save = [&](const RenderState& state) { kept = state; };
+    if (kept) monitor.resume = [&](const Film&) { return *kept; };
+    last = Render(stage.world, *accelerator, settings, monitor);
+    timer.join();
+    if (last.IsComplete()) break;
+    ++stops;
+  }
+  ASSERT_TRUE(last.IsComplete());
+  EXPECT_GT(stops, 2);
+  EXPECT_TRUE(last.image == whole.image);
+  EXPECT_EQ(last.error->high, whole.error->high);
+  EXPECT_EQ(last.error_before_denoising->high, whole.error_before_denoising->high);
+  EXPECT_EQ(last.rays.Total(), whole.rays.Total());
+}
+
+TEST(ImageDenoiser, WithoutItsLibraryAnErrorTargetIsReachedByTheNoisyImage) {
+  if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
+  const project::Stage stage = Room();
+  RenderSettings settings = IndirectToError(8);
+  settings.denoiser = Denoiser::oidn;
+  const RenderResult result = project::Render(stage, settings);
+  EXPECT_EQ(result.stop, Stop::error);
+  EXPECT_FALSE(result.denoise_failure.empty());
+  EXPECT_LE(result.error->high, 8);
 }
 
 }  // namespace

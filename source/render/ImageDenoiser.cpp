@@ -1,8 +1,9 @@
-#include "source/render/DenoiseResult.h"
+#include "source/render/ImageDenoiser.h"
 
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "source/film/denoise/DenoisedError.h"
 #include "source/render/GatherGuides.h"
@@ -44,20 +45,6 @@ class Refining {
   const std::optional<Clock::time_point> end_;
 };
 
-GatheredGuides GatherAndCount(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                              const Film& film, std::optional<Clock::time_point> end, const RenderMonitor& monitor,
-                              RenderResult& result) {
-  const auto start = Clock::now();
-  const Refining refining(settings, end);
-  const auto noted = [&](std::uint64_t following_rays) { return result.refinement = refining(following_rays); };
-  WorkMeter meter = MeterOf(RenderPhase::guides, monitor);
-  GatheredGuides gathered = GatherGuides(world, accelerator, settings, film, noted, meter);
-  result.rays += gathered.rays;
-  result.guide_rays = gathered.rays.Total();
-  result.guide_seconds = SecondsSince(start);
-  return gathered;
-}
-
 /// The region of a film, of an image of all that it makes.
 R2::Image RegionIn(const R2::Image& made, const Film& film) {
   const PixelRectangle &region = film.Region(), &all = film.Made();
@@ -84,34 +71,83 @@ DenoisedPicture DenoiseFilm(const World& world, const Accelerator& accelerator, 
   return DenoisedRegion(film, all, gathered.guides, DenoiseFilters(settings.denoiser, settings.threads), meter);
 }
 
-void DenoiseResult(const World& world, const Accelerator& accelerator, const RenderSettings& settings, const Film& film,
-                   const ErrorMeasure& measure, std::optional<Clock::time_point> end_of_guides,
-                   const RenderMonitor& monitor, RenderResult& result) {
+/// A denoised image, and what it took.
+struct ImageDenoiser::Denoised {
+  R2::Image image;
+  std::string by;      // the name of the filters
+  MeasuredError left;  // by the filters
+  std::optional<Refinement> refinement;
+  RayCounts rays;      // of the guides
+  double samples = 0;  // that the film had
+  double guide_seconds = 0;
+};
+
+ImageDenoiser::ImageDenoiser(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                             const ErrorMeasure& measure, const RenderMonitor& monitor)
+    : world_(world), accelerator_(accelerator), settings_(settings), measure_(measure), monitor_(monitor) {}
+
+ImageDenoiser::~ImageDenoiser() = default;
+
+std::optional<MeasuredError> ImageDenoiser::ErrorLeft(const Film& film, const UnseenLight& unseen) {
+  if (!HasFailed()) Denoise(film, unseen, {}, false);
+  return last_ ? std::optional(last_->left) : std::nullopt;
+}
+
+void ImageDenoiser::Finish(const Film& film, std::optional<Clock::time_point> end_of_guides, RenderResult& result) {
+  if (!HasFailed() && !(last_ && last_->samples == SamplesTaken(film)))
+    Denoise(film, result.unseen, end_of_guides, true);
+  result.denoise_failure = failure_;
+  result.denoise_seconds = seconds_;
+  if (was_stopped_) result.stop = Stop::request;
+  if (!last_) return;
+  result.image = std::move(last_->image);
+  result.denoised_by = last_->by;
+  result.refinement = last_->refinement;
+  result.rays += last_->rays;
+  result.guide_rays = last_->rays.Total();
+  result.guide_seconds = last_->guide_seconds;
+  result.error_before_denoising = result.error;
+  result.error = last_->left.estimate;
+}
+
+void ImageDenoiser::Denoise(const Film& film, const UnseenLight& unseen, std::optional<Clock::time_point> end_of_guides,
+                            bool shows_progress) {
+  last_.reset();
   const std::optional<Film> copy = film.HasSurroundings() ? std::optional(film.WithSurroundings()) : std::nullopt;
   const Film& all = copy ? *copy : film;
   if (!all.HasBothParts()) return;
+  RenderMonitor monitor;
+  monitor.stop = monitor_.stop;
+  if (shows_progress) monitor.tile_done = monitor_.tile_done;
   const auto start = Clock::now();
-  tbb::task_arena arena(ThreadsFor(settings.threads));
+  tbb::task_arena arena(ThreadsFor(settings_.threads));
   try {
     arena.execute([&] {
-      const DenoiseFilters filters(settings.denoiser, settings.threads);
-      const GatheredGuides gathered = GatherAndCount(world, accelerator, settings, all, end_of_guides, monitor, result);
-      WorkMeter meter = MeterOf(RenderPhase::filters, monitor);
-      if (meter.IsStopped()) return;
-      const DenoisedPicture denoised = DenoisedRegion(film, all, gathered.guides, filters, meter);
-      if (meter.IsStopped()) return;
-      result.image = denoised.Mean();
-      result.denoised_by = filters.Name();
-      result.error_before_denoising = result.error;
-      MeasuredError measured = MeasureDenoisedError(film, denoised, measure);
-      AllowFor(result.unseen, measure, measured);
-      result.error = measured.estimate;
+      const DenoiseFilters filters(settings_.denoiser, settings_.threads);
+      auto denoised = std::make_unique<Denoised>();
+      const Refining refining(settings_, end_of_guides);
+      const auto noted = [&](std::uint64_t following_rays) { return denoised->refinement = refining(following_rays); };
+      WorkMeter of_guides = MeterOf(RenderPhase::guides, monitor);
+      const GatheredGuides gathered = GatherGuides(world_, accelerator_, settings_, all, noted, of_guides);
+      denoised->rays = gathered.rays;
+      denoised->guide_seconds = SecondsSince(start);
+      WorkMeter of_filters = MeterOf(RenderPhase::filters, monitor);
+      was_stopped_ = of_filters.IsStopped();
+      if (was_stopped_) return;
+      const DenoisedPicture picture = DenoisedRegion(film, all, gathered.guides, filters, of_filters);
+      was_stopped_ = of_filters.IsStopped();
+      if (was_stopped_) return;
+      denoised->image = picture.Mean();
+      denoised->by = filters.Name();
+      denoised->samples = SamplesTaken(film);
+      denoised->left = MeasureDenoisedError(film, picture, measure_);
+      AllowFor(unseen, measure_, denoised->left);
+      last_ = std::move(denoised);
     });
   } catch (const DenoiserError& error) {
-    result.denoise_failure = error.what();
+    failure_ = error.what();
   }
-  if (result.denoised_by.empty() && monitor.stop && *monitor.stop) result.stop = Stop::request;
-  result.denoise_seconds = SecondsSince(start);
+  seconds_ += SecondsSince(start);
 }
 
 }  // namespace ray

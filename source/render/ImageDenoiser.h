@@ -1,0 +1,61 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "source/accelerate/Accelerator.h"
+#include "source/accelerate/World.h"
+#include "source/film/Film.h"
+#include "source/film/denoise/Denoise.h"
+#include "source/render/Render.h"
+
+namespace ray {
+
+/// Filters the region of a film that has both parts. Guides are refined in proportion to the samples.
+DenoisedPicture DenoiseFilm(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                            const Film& film);
+
+/// Denoises the image of one render: once it is complete, and before, if the error that the filters leave decides when
+/// that is. The image is the same, bit for bit, however often the denoiser looked at the film before.
+class ImageDenoiser {
+ public:
+  /// All must outlive it.
+  ImageDenoiser(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                const ErrorMeasure& measure, const RenderMonitor& monitor);
+  ~ImageDenoiser();
+
+  /// Returns the error that the filters leave of the image so far, with guides refined in proportion to the samples.
+  /// Returns nothing if the film lacks a part, the filters fail or the monitor asks to stop. Shows no progress.
+  std::optional<MeasuredError> ErrorLeft(const Film& film, const UnseenLight& unseen);
+  /// True if the monitor ended a look, whose error is then unknown.
+  bool WasStopped() const { return was_stopped_; }
+  /// True if a library failed: the image will not be denoised.
+  bool HasFailed() const { return !failure_.empty(); }
+
+  /// Denoises the image of a complete render. It is that of the last look if the film is the same. Otherwise guides are
+  /// refined in proportion to the samples, by as many rays as there is time for until `end_of_guides`, or as a replay
+  /// says. Reports its progress.
+  /// If a library fails, the image stays as it is, and the result says why. If the monitor asks to stop, it stays too,
+  /// and the render is no longer complete.
+  void Finish(const Film& film, std::optional<std::chrono::steady_clock::time_point> end_of_guides,
+              RenderResult& result);
+
+ private:
+  struct Denoised;
+  void Denoise(const Film& film, const UnseenLight& unseen,
+               std::optional<std::chrono::steady_clock::time_point> end_of_guides, bool shows_progress);
+
+  const World& world_;
+  const Accelerator& accelerator_;
+  const RenderSettings& settings_;
+  const ErrorMeasure measure_;
+  const RenderMonitor& monitor_;
+  std::unique_ptr<Denoised> last_;  // null unless the last attempt succeeded
+  std::string failure_;
+  bool was_stopped_ = false;
+  double seconds_ = 0;  // of all attempts
+};
+
+}  // namespace ray
