@@ -1,6 +1,7 @@
 #include "grader/Changes.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace ray::grade {
@@ -127,6 +128,39 @@ void ChangeTransforms(Scene& scene, const std::function<R3::Matrix(const R3::Mat
     if (!IsIdentity(node.transform)) node.transform = change(node.transform);
   });
   FindBounds(scene.root);
+}
+
+void IgnoreNestedTransforms(Scene& scene) {
+  std::vector<std::pair<Node*, bool>> open{{&scene.root, false}};
+  while (!open.empty()) {
+    auto [node, is_nested] = open.back();
+    open.pop_back();
+    if (is_nested) node->transform = {};
+    is_nested = is_nested || !IsIdentity(node->transform);
+    for (Node& child : node->children) open.emplace_back(&child, is_nested);
+  }
+  FindBounds(scene.root);
+}
+
+void PutPolesAlongY(Scene& scene) {
+  for (Node* node : InOrder(scene.root, [](Node&) {})) {
+    const auto sphere = node->shape ? node->shape->AsSphere() : std::nullopt;
+    if (!sphere) continue;
+    // y and z change places about the center.
+    const double between = sphere->center.y - sphere->center.z;
+    Node ball;
+    ball.shape = node->shape;
+    ball.location = node->location;
+    node->shape.reset();
+    node->transform.m = {{{1, 0, 0, 0}, {0, 0, 1, between}, {0, 1, 0, -between}}};
+    node->children.push_back(std::move(ball));
+  }
+  FindBounds(scene.root);
+}
+
+void ChangeTextures(Scene& scene, const std::function<R2::Image(const R2::Image&)>& change) {
+  for (Material& material : scene.materials)
+    if (material.texture) material.texture = std::make_shared<Texture>(Texture{change(material.texture->image)});
 }
 
 void ReverseTransforms(Scene& scene) {

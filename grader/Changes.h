@@ -28,6 +28,12 @@ void ChangeLights(Scene& scene, const std::function<void(LightArguments&)>& chan
 
 /// Applies `change` to the matrix of every group, and finds their bounds anew.
 void ChangeTransforms(Scene& scene, const std::function<R3::Matrix(const R3::Matrix&)>& change);
+/// Leaves out the transforms of groups within groups that have one.
+void IgnoreNestedTransforms(Scene& scene);
+/// Turns the texture coordinates of spheres so that their poles lie along y, and leaves the spheres where they are.
+void PutPolesAlongY(Scene& scene);
+/// Replaces the image of each texture by `change` of it.
+void ChangeTextures(Scene& scene, const std::function<R2::Image(const R2::Image&)>& change);
 /// Nested transforms are multiplied in the wrong order: those of a child before those of its parent.
 void ReverseTransforms(Scene& scene);
 /// Takes the shapes away that `is_lost` holds for.

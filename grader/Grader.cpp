@@ -210,7 +210,7 @@ StudentResult Grader::Grade(const std::string& name, const std::string& student,
     if (result.problem.empty())
       handed_in.push_back(GradeScene(*scenes_[i], files_[i], folder, left, scene));
     else
-      scene.headline = "The program " + result.problem + ".";
+      scene.headline = "The program " + result.problem + ".", scene.note = "no program";
     if (settings_.stop && *settings_.stop) return result;
     if (!handed_in.empty() && handed_in.back().runs.empty()) handed_in.pop_back();
     if (!handed_in.empty()) handed_in.back().scene = i;
@@ -238,11 +238,16 @@ FetchedImage Grader::RunProgram(const SuiteScene& scene, const std::string& file
       sandbox_.Run(FilledCommand(scene, file, student, image), folder, readable, limits, settings_.stop);
   result.seconds += ran.seconds;
   result.program_output = ran.output;
+  result.note = ran.Note();
   if (!ran.IsGood()) return NoImage(ran.Problem());
+  result.note = "no image";
   FetchedImage fetched = Fetch(ImageIn(folder, image));
   if (!fetched.problem.empty()) return fetched;
-  if (fetched.image.Width() != scene.width || fetched.image.Height() != scene.height)
+  if (fetched.image.Width() != scene.width || fetched.image.Height() != scene.height) {
+    result.note = "wrong size";
     return NoImage(WhyOfWrongSize(fetched.image, scene));
+  }
+  result.note.clear();
   return fetched;
 }
 

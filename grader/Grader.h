@@ -56,9 +56,9 @@ class Grader {
   /// Returns the first missing file of a student's folder that the command names; empty if all exist.
   std::string MissingProgram(const std::string& student) const;
 
-  /// Builds the program of a student if settings.build is set, and runs it on every scene. Calls `done` after each scene
-  /// with the result so far, so that a grader that is killed loses nothing. If settings.stop ends the run, the result
-  /// omits the remaining scenes and is not complete.
+  /// Builds the program of a student if settings.build is set, and runs it on every scene. Calls `done` after each
+  /// scene with the result so far, so that a grader that is killed loses nothing. If settings.stop ends the run, the
+  /// result omits the remaining scenes and is not complete.
   ///   student   the folder that {student} stands for; empty for none
   StudentResult Grade(const std::string& name, const std::string& student,
                       const std::function<void(const StudentResult&)>& done);

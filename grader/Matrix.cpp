@@ -57,7 +57,12 @@ void TryOne(std::vector<std::unique_ptr<SceneImages>>& scenes, const Suite& suit
       const bool is_same = findings.diagnosis->causes.Names() == row.mistakes ||
                            (!findings.diagnosis->causes.tone &&
                             std::ranges::is_permutation(findings.diagnosis->causes.mistakes, mistakes));
-      row.outcome = is_same ? by_name : LookAlike(scenes, made, findings.diagnosis->causes) ? same_image : wrong;
+      const bool is_among = std::ranges::any_of(findings.diagnosis->alternatives, [&](const Hypothesis& other) {
+        return other.Names() == row.mistakes;
+      });
+      row.outcome = is_same                                                             ? by_name
+                    : is_among || LookAlike(scenes, made, findings.diagnosis->causes) ? same_image
+                                                                                        : wrong;
     } else if (row.mistakes == "gamma" && findings.encoding != Encoding::linear) {
       row.outcome = by_name;
       row.named = row.mistakes;

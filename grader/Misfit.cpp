@@ -27,6 +27,19 @@ bool IsCalm(const R2::Image& cells, const R2::Image& reference, int x, int y) {
   return true;
 }
 
+/// How far a color is beyond the range of colors at a pixel and its four neighbors.
+R2::Color BeyondNeighbors(const R2::Image& cells, int x, int y, const R2::Color& color) {
+  R2::Color low = cells.At(x, y), high = low;
+  for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+    const R2::Color c =
+        cells.At(std::clamp(x + dx, 0, cells.Width() - 1), std::clamp(y + dy, 0, cells.Height() - 1));
+    low = {std::min(low.r, c.r), std::min(low.g, c.g), std::min(low.b, c.b)};
+    high = {std::max(high.r, c.r), std::max(high.g, c.g), std::max(high.b, c.b)};
+  }
+  const auto beyond = [](double value, double from, double to) { return value - std::clamp(value, from, to); };
+  return {beyond(color.r, low.r, high.r), beyond(color.g, low.g, high.g), beyond(color.b, low.b, high.b)};
+}
+
 /// Where the student's image differs from another, and how.
 enum class Cell : unsigned char { ignored, same, darker, other };
 
@@ -72,7 +85,7 @@ Exhibit MakeExhibit(SceneImages& images, Submission student) {
   return exhibit;
 }
 
-std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image) {
+std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image, const std::vector<bool>* own_steady) {
   constexpr double rounding = 1.5 / 255;
   constexpr double enough = 0.4;  // of the steady pixels: fewer would be taken for the others without being like them
   const SceneImages& images = *exhibit.images;
@@ -82,30 +95,34 @@ std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image) {
   const bool has_pixels = images.CellSide() == 1;
   std::vector<Cell> kinds(student.tolerance.size(), Cell::ignored);
   std::vector<double> squares(student.tolerance.size(), 0.0);
-  double steady = 0, counted = 0;
+  double steady = 0, calm = 0, unsteady = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const std::size_t i = CellIndex(cells, x, y);
       if (has_pixels && !images.Steady()[i]) continue;
+      if (has_pixels && own_steady && !(*own_steady)[i]) {
+        ++unsteady;
+        continue;
+      }
       ++steady;
-      if (has_pixels && !IsCalm(cells, reference, x, y)) continue;
-      ++counted;
-      const R2::Color d = student.cells.At(x, y) - cells.At(x, y);
+      const bool is_calm = !has_pixels || own_steady || IsCalm(cells, reference, x, y);
+      calm += is_calm;
+      const R2::Color color = student.cells.At(x, y);
+      const R2::Color d = is_calm ? color - cells.At(x, y) : BeyondNeighbors(cells, x, y, color);
       const double allowed = rounding + student.tolerance[i] - images.scene().tolerance;
       squares[i] = SquareBeyond(d.r, allowed) + SquareBeyond(d.g, allowed) + SquareBeyond(d.b, allowed);
       const bool differs = LargestChannel(d) > student.tolerance[i];
       kinds[i] = !differs ? Cell::same : Luminance(d) < 0 ? Cell::darker : Cell::other;
     }
-  if (!(counted > enough * steady)) return {};
+  if (!(calm > enough * (steady + unsteady))) return {};
   const Texture texture = TextureOf(kinds, width, height);
   const bool has_acne = has_pixels && texture.IsAcne();
   Fit fit;
   double differing = texture.other + (has_acne ? 0 : texture.darker);
   for (std::size_t i = 0; i < squares.size(); ++i)
     if (!(has_acne && kinds[i] == Cell::darker)) fit.squares += squares[i];
-  fit.squares *= steady / counted;
-  fit.percent = 100 * differing / counted;
-  fit.specks = has_acne ? 100 * texture.darker / counted : 0;
+  fit.percent = 100 * differing / steady;
+  fit.specks = has_acne ? 100 * texture.darker / steady : 0;
   return fit;
 }
 

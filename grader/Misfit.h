@@ -6,12 +6,12 @@
 
 namespace ray::grade {
 
-/// How well an image with mistakes fits a student's, over steady pixels away from edges of its own: where exactly these
-/// lie is rounding.
+/// How well an image with mistakes fits a student's, over steady pixels. Where exactly an edge of the image lies is
+/// rounding: there a value between those of neighboring pixels fits.
 struct Fit {
-  double squares = 0;  // the sum of squared differences beyond rounding, scaled up to all steady pixels
-  double percent = 0;  // of the pixels counted that differ by more than the tolerance
-  double specks = 0;   // percent of the pixels counted that are specks of shadow acne; these are not in the others
+  double squares = 0;  // the sum of squared differences beyond rounding
+  double percent = 0;  // of the steady pixels that differ by more than the tolerance
+  double specks = 0;   // percent of the steady pixels that are specks of shadow acne; these are not in the others
 };
 
 /// One scene of a student: the submission and what it is compared with.
@@ -23,8 +23,9 @@ struct Exhibit {
 };
 Exhibit MakeExhibit(SceneImages& images, Submission student);
 
-/// Returns nothing where too few pixels are away from edges.
-///   image   values for a screen
-std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image);
+/// Returns nothing if most pixels are at edges, where nearly anything fits.
+///   image    values for a screen
+///   steady   of the image's own pixels: then only those that are steady count, and edges need no other care
+std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image, const std::vector<bool>* steady = nullptr);
 
 }  // namespace ray::grade

@@ -23,6 +23,7 @@ class Variant {
 
   RenderSettings settings;
   ShadingRules rules;
+  DepthRules depth;
   const Scene& scene() const { return own_ ? *own_ : original_; }
   bool HasOwnScene() const { return own_.has_value(); }
   /// The copy of the scene, made by the first call. A mistake that changes settings or rules alone does without

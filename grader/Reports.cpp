@@ -5,6 +5,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
+#include <sstream>
 
 #include "grader/Html.h"
 #include "source/text/NumberText.h"
@@ -134,38 +136,98 @@ SceneResult ResultOf(const Json& json) {
   return scene;
 }
 
-std::string CommonMistakes(const std::vector<StudentResult>& students) {
-  std::map<std::string, int> students_with;
+std::string StudentLink(const std::string& name) {
+  return "<a href=\"" + HtmlOf(name) + "/index.html\">" + HtmlOf(name) + "</a>";
+}
+
+/// The causes and notes of a class, the most common first, each with the students that have it.
+std::string CommonCauses(const std::vector<StudentResult>& students) {
+  std::map<std::string, std::set<std::string>> students_with;
   for (const StudentResult& student : students) {
-    std::map<std::string, int> of_student;
+    std::istringstream causes(student.verdict.mistakes);
+    for (std::string cause; std::getline(causes, cause, '+');) students_with[cause].insert(student.name);
     for (const SceneResult& scene : student.scenes)
-      if (!scene.mistakes.empty()) of_student[scene.mistakes] = 1;
-    for (const auto& [name, one] : of_student) students_with[name] += one;
+      if (!scene.note.empty()) students_with[scene.note].insert(student.name);
   }
-  std::vector<std::pair<int, std::string>> sorted;
-  for (const auto& [name, count] : students_with) sorted.emplace_back(-count, name);
-  std::ranges::sort(sorted);
-  std::string html = "<h2>Common mistakes</h2>\n<table><tr><th>mistake<th>students</tr>\n";
-  for (const auto& [count, name] : sorted)
-    html += "<tr><td>" + HtmlOf(name) + "<td><span class=\"bar\" style=\"width:" + std::to_string(-count) +
-            "em\"></span> " + std::to_string(-count) + "</tr>\n";
+  std::vector<std::pair<std::string, std::set<std::string>>> sorted(students_with.begin(), students_with.end());
+  std::ranges::stable_sort(sorted, [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
+  std::string html = "<h2>Common causes</h2>\n<table><tr><th>cause<th>students<th>who</tr>\n";
+  for (const auto& [cause, names] : sorted) {
+    std::string links;
+    for (const std::string& name : names) links += (links.empty() ? "" : ", ") + StudentLink(name);
+    const std::string count = std::to_string(names.size());
+    html += "<tr><td>" + HtmlOf(cause) + "<td><span class=\"bar\" style=\"width:" + count + "em\"></span> " + count +
+            "<td>" + links + "</tr>\n";
+  }
   return html + "</table>\n";
+}
+
+/// A row below the students of a table: its name, and what it makes of points.
+struct Statistic {
+  const char* name;
+  double (*of)(std::vector<double> points);
+};
+
+constexpr std::array statistics{
+    Statistic{"maximum", [](std::vector<double> points) { return *std::ranges::max_element(points); }},
+    Statistic{"mean",
+              [](std::vector<double> points) {
+                return std::accumulate(points.begin(), points.end(), 0.0) / static_cast<double>(points.size());
+              }},
+    Statistic{"median", [](std::vector<double> points) {
+                std::ranges::sort(points);
+                return (points[(points.size() - 1) / 2] + points[points.size() / 2]) / 2;
+              }}};
+
+std::vector<double> TotalsOf(const std::vector<StudentResult>& students) {
+  std::vector<double> totals;
+  for (const StudentResult& student : students) totals.push_back(student.Score());
+  return totals;
+}
+
+std::vector<double> ScoresIn(const std::vector<StudentResult>& students, std::size_t scene) {
+  std::vector<double> scores;
+  for (const StudentResult& student : students)
+    if (scene < student.scenes.size()) scores.push_back(student.scenes[scene].score);
+  return scores;
+}
+
+/// The notes of a student's scenes, each once.
+std::string NotesOf(const StudentResult& student) {
+  std::set<std::string> notes;
+  for (const SceneResult& scene : student.scenes)
+    if (!scene.note.empty()) notes.insert(scene.note);
+  std::string text;
+  for (const std::string& note : notes) text += (text.empty() ? "" : ", ") + note;
+  return text;
 }
 
 std::string ClassTable(const std::vector<StudentResult>& students, const Suite& suite) {
   std::string html = "<h2>Points</h2>\n<table><tr><th>student<th>points";
   for (const SuiteScene& scene : suite.scenes) html += "<th>" + HtmlOf(scene.name);
-  html += "</tr>\n";
+  html += "<th>verdict<th>remarks</tr>\n";
   for (const StudentResult& student : students) {
-    html += "<tr><td><a href=\"" + HtmlOf(student.name) + "/index.html\">" + HtmlOf(student.name) +
-            "</a><td class=\"n\">" + PointsText(student.Score());
+    html += "<tr><td>" + StudentLink(student.name) + "<td class=\"n\">" + PointsText(student.Score());
     for (const SceneResult& scene : student.scenes)
       html += "<td class=\"n " + std::string(NameOf(scene.outcome)) + "\" title=\"" + HtmlOf(scene.headline) + "\">" +
               PointsText(scene.score);
-    html += "</tr>\n";
+    const std::string verdict =
+        student.problem.empty() ? student.verdict.headline : "The program " + student.problem + ".";
+    const std::string notes = NotesOf(student), between = notes.empty() || student.comment.empty() ? "" : "; ";
+    html += "<td>" + HtmlOf(verdict) + "<td>" + HtmlOf(notes + between + student.comment) + "</tr>\n";
+  }
+  for (const Statistic& statistic : statistics) {
+    html +=
+        "<tr><th>" + std::string(statistic.name) + "<th class=\"n\">" + PointsText(statistic.of(TotalsOf(students)));
+    for (std::size_t i = 0; i < suite.scenes.size(); ++i)
+      html += "<th class=\"n\">" + PointsText(statistic.of(ScoresIn(students, i)));
+    html += "<th><th></tr>\n";
   }
   return html + "</table>\n";
 }
+
+constexpr const char* comment_begins = "<!-- comment -->";
+constexpr const char* comment_ends = "<!-- end of comment -->";
 
 }  // namespace
 
@@ -182,7 +244,8 @@ double StudentResult::Points() const {
 std::string StudentPage(const StudentResult& student, const Suite& suite, const std::string& sandbox) {
   std::string body =
       "<p>" + PointsText(student.Score()) + " of " + PointsText(suite.Points()) + " points.</p>\n" +
-      VerdictSection(student) + Overview(student) +
+      comment_begins + comment_ends + "\n" + VerdictSection(student) +
+                     Overview(student) +
       "<p>Compared are steady pixels: those that stay as they are when the camera is moved by less than "
       "half a pixel. Differences of rounding, and at edges, do not count. A cause is named if it explains "
       "more than 95% of the difference in every scene that it changes.</p>\n";
@@ -243,17 +306,30 @@ std::optional<StudentResult> ReadResultsJson(const std::string& text, const std:
 }
 
 std::string ClassCsv(const std::vector<StudentResult>& students) {
-  std::string csv = "student,scene,points,score,outcome,mistakes,percent_differing,seconds\n";
+  std::string csv = "student,scene,points,score,outcome,mistakes,remark,percent_differing,seconds,cause,comment\n";
   for (const StudentResult& student : students)
     for (const SceneResult& scene : student.scenes)
       csv += CsvField(student.name) + "," + CsvField(scene.scene) + "," + ToText(scene.points) + "," +
              PointsText(scene.score) + "," + NameOf(scene.outcome) + "," + CsvField(scene.mistakes) + "," +
-             Rounded(scene.percent, 4) + "," + Rounded(scene.seconds, 3) + "\n";
+             CsvField(scene.note) + "," + Rounded(scene.percent, 4) + "," + Rounded(scene.seconds, 3) + "," +
+             CsvField(student.verdict.mistakes) + "," + CsvField(student.comment) + "\n";
+  if (students.empty()) return csv;
+  for (const Statistic& statistic : statistics)
+    for (std::size_t i = 0; i < students[0].scenes.size(); ++i)
+      csv += "(" + std::string(statistic.name) + ")," + CsvField(students[0].scenes[i].scene) + "," +
+             ToText(students[0].scenes[i].points) + "," + PointsText(statistic.of(ScoresIn(students, i))) + ",,,,,,,\n";
   return csv;
 }
 
 std::string ClassPage(const std::vector<StudentResult>& students, const Suite& suite) {
-  return Page(suite.name, CommonMistakes(students) + ClassTable(students, suite));
+  return Page(suite.name, students.empty() ? "" : ClassTable(students, suite) + CommonCauses(students));
+}
+
+std::string WithComment(const std::string& page, const std::string& comment) {
+  const std::size_t begin = page.find(comment_begins), end = page.find(comment_ends);
+  if (begin == std::string::npos || end == std::string::npos || end < begin) return page;
+  const std::string html = comment.empty() ? "" : "<h2>Comment</h2>\n<p>" + HtmlOf(comment) + "</p>\n";
+  return page.substr(0, begin) + comment_begins + html + page.substr(end);
 }
 
 }  // namespace ray::grade

@@ -20,10 +20,13 @@ std::string ResultsJson(const StudentResult& student, const std::string& identit
 /// What ResultsJson wrote, without images; nothing where the text is no such thing, or of another identity.
 std::optional<StudentResult> ReadResultsJson(const std::string& text, const std::string& identity);
 
-/// One line per student and scene: student, scene, points, score, outcome, mistakes, percent differing, seconds.
+/// One line per student and scene, then those of the class: its maximum, mean and median in each scene.
 std::string ClassCsv(const std::vector<StudentResult>& students);
 
-/// A page for teachers: who has how many points, and which mistakes are common.
+/// A page for teachers: points, verdicts and remarks, and which students share a cause.
 std::string ClassPage(const std::vector<StudentResult>& students, const Suite& suite);
+
+/// Returns a student's page with another comment of the teacher in it; an empty one leaves none.
+std::string WithComment(const std::string& page, const std::string& comment);
 
 }  // namespace ray::grade

@@ -43,6 +43,7 @@ struct StudentResult {
   std::string name;
   std::vector<SceneResult> scenes;
   StudentVerdict verdict{};
+  std::string comment{};    // the teacher's own, kept in a file beside the page
   std::string problem{};    // why no scene was tried, completing "The program"; empty if the program was there
   std::string build_log{};  // the beginning of the output of the build
   bool is_complete = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "R1/Elementary.h"
+#include "grader/Changes.h"
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/TriangleLamp.h"
 #include "source/integrate/shading/Bsdf.h"
@@ -37,7 +38,48 @@ RuledShading::RuledShading(const World& world, const Accelerator& accelerator, c
       tracer_(world, accelerator, settings.shadows),
       settings_(settings),
       rules_(rules),
-      transforms_(TransformsOf(world)) {}
+      transforms_(TransformsOf(world)) {
+  for (const Light* light : Lights()) fading_.push_back(FadingOf(*light));
+}
+
+RuledShading::Fading RuledShading::FadingOf(const Light& light) {
+  R3::Recipe recipe = light.MadeFrom();
+  LightArguments arguments{recipe.kind, recipe};
+  const auto value = [&](const char* name, double otherwise) {
+    const double* found = arguments.At(name);
+    return found ? *found : otherwise;
+  };
+  Fading fading{value("ca", 1), value("la", 0), value("qa", 0), {}, value("sc", 0), value("sd", 0)};
+  if (arguments.kind == "spot_light") fading.axis = Unit(R3::Vector{value("dx", 0), value("dy", 0), value("dz", -1)});
+  return fading;
+}
+
+double RuledShading::FadingOf(std::size_t which, const R3::Vector& to_light) const {
+  const auto& [constant, linear, quadratic, axis, cutoff, exponent] = fading_[which];
+  const auto divisor = [&](double d) { return constant + linear * d + quadratic * d * d; };
+  const double d = Length(to_light), fade = divisor(d);
+  double factor = 1;
+  if (rules_.fading == ShadingRules::Fading::multiplied) factor = fade * fade;
+  if (rules_.fading == ShadingRules::Fading::of_square) factor = fade / divisor(d * d);
+  if (!rules_.spot_is_linear || !axis) return factor;
+  const double cosine = std::min(1.0, -Dot(*axis, Unit(to_light)));
+  return factor * std::max(0.0, 1 - R1::Acos(cosine) / cutoff) / R1::Pow(cosine, exponent);
+}
+
+void RuledShading::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
+  Whitted::Li(samples, radiances, state);
+  if (!rules_.camera_background) return;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (!state.hits[i]) radiances[i] = *rules_.camera_background;
+}
+
+/// Mirrored rays go by wo and N alone, and no light does after this.
+void RuledShading::ApplyToMirror(ShadingPoint& p) const {
+  using enum ShadingRules::Mirror;
+  if (rules_.mirror == exact || !IsBlack(p.material->kt)) return;
+  const double cosine = Dot(p.N, p.wo);
+  p.wo = rules_.mirror == opposite ? -p.wo : p.wo - 4 * cosine * p.N;
+}
 
 bool RuledShading::CanShade(const World& world, const TraceSettings& settings) {
   const Scene& scene = world.scene();
@@ -91,6 +133,13 @@ void RuledShading::Shade(std::span<ShadingPoint> points, std::span<R2::Color> ra
     if (rules_.lights == ShadingRules::Lights::last && i + 1 < count) continue;
     AddLight(i, points, radiances, state);
   }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ShadingPoint& p = points[i];
+    const bool goes_on = p.path.depth < settings_.max_depth;
+    if (rules_.mirror_replaces && goes_on) radiances[i] = radiances[i] * (R2::Color{1, 1, 1} - p.material->kr);
+    if (rules_.glass_replaces && goes_on) radiances[i] = radiances[i] * (R2::Color{1, 1, 1} - p.material->kt);
+    ApplyToMirror(p);
+  }
 }
 
 void RuledShading::AddLight(std::size_t which, std::span<ShadingPoint> points, std::span<R2::Color> radiances,
@@ -118,13 +167,16 @@ double RuledShading::CosineOf(const ShadingPoint& p, const R3::Vector& L) const 
       return std::abs(cosine);
     case ShadingRules::Cosine::none:
       return cosine > 0 ? 1 : 0;
+    case ShadingRules::Cosine::squared:
+      return cosine > 0 ? cosine * cosine : 0;
   }
   return 0;
 }
 
 /// Whether an absolute cosine lets a light shine that is on the other side of something without an inside.
 bool RuledShading::IsLitFromBehind(const ShadingPoint& p, const R3::Vector& L) const {
-  return rules_.cosine == ShadingRules::Cosine::absolute && Dot(p.N, L) < 0 && !p.is_met_again;
+  const bool counts = rules_.cosine == ShadingRules::Cosine::absolute || rules_.highlight_behind;
+  return counts && Dot(p.N, L) < 0 && !p.is_met_again;
 }
 
 R2::Color RuledShading::HighlightOf(const ShadingPoint& p, const R3::Vector& L) const {
@@ -147,10 +199,11 @@ void RuledShading::AddSample(std::size_t which, ShadingPoint& p, std::size_t ind
   if (!sample) return;
   const R3::Vector L = Unit(sample->to_light);
   const double cosine = CosineOf(p, L);
-  if (!(cosine > 0)) return;
-  const R2::Color arriving = weight * sample->irradiance;
+  if (!(cosine > 0) && !rules_.highlight_behind) return;
+  const R2::Color arriving = weight * FadingOf(which, sample->to_light) * sample->irradiance;
   R2::Color reflected = cosine * p.kd * arriving;
-  const R2::Color highlight = HighlightOf(p, L) * arriving;
+  R2::Color highlight = HighlightOf(p, L) * arriving;
+  if (rules_.highlight_by_cosine) highlight = cosine * highlight;
   if (rules_.highlight_in_shadow)
     radiance += highlight;
   else

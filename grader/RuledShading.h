@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "grader/ShadingRules.h"
@@ -13,6 +14,8 @@ class RuledShading : public Whitted {
  public:
   RuledShading(const World& world, const Accelerator& accelerator, const TraceSettings& settings,
                const ShadingRules& rules);
+
+  void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
   /// Whether the scene has no light but those that the rules are about: no environment and no lamps.
   static bool CanShade(const World& world, const TraceSettings& settings);
@@ -29,6 +32,19 @@ class RuledShading : public Whitted {
   R2::Color HighlightOf(const ShadingPoint& p, const R3::Vector& L) const;
   R3::Vector ShadowDirection(std::size_t which, const ShadingPoint& p, const LightSample& sample) const;
 
+  /// What a light's irradiance is multiplied by where its fading is wrong.
+  double FadingOf(std::size_t which, const R3::Vector& to_light) const;
+  void ApplyToMirror(ShadingPoint& p) const;
+
+  /// The fading of a light: its coefficients, and those of a spot light.
+  struct Fading {
+    double constant = 1, linear = 0, quadratic = 0;
+    std::optional<R3::Vector> axis;  // unit
+    double cutoff = 0, exponent = 0;
+  };
+  static Fading FadingOf(const Light& light);
+
+  std::vector<Fading> fading_;  // of each light
   Tracer tracer_;
   TraceSettings settings_;
   ShadingRules rules_;

@@ -435,6 +435,30 @@ std::string RunResult::Problem() const {
   return {};
 }
 
+const char* RunResult::Note() const {
+  switch (end) {
+    case End::exited:
+      return status == 0 ? "" : "exit status";
+    case End::signaled:
+      return status == SIGKILL ? "killed" : "crash";
+    case End::timed_out:
+    case End::out_of_cpu:
+      return "time-out";
+    case End::too_much_output:
+      return "endless output";
+    case End::interrupted:
+      return "interrupted";
+    case End::not_started:
+    case End::no_program:
+      return "no program";
+    case End::out_of_memory:
+      return "out of memory";
+    case End::large_file:
+      return "large file";
+  }
+  return "";
+}
+
 Sandbox::Sandbox(Mode mode) {
   if (mode == Mode::limits) {
     why_not_ = "as asked for";

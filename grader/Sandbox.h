@@ -40,6 +40,8 @@ struct RunResult {
   std::string reason;  // why there is no program, or which limit was reached
 
   bool IsGood() const { return end == End::exited && status == 0; }
+  /// One or two words for tables: "time-out", "crash"; empty if it is good.
+  const char* Note() const;
   /// Completes "The program": "was stopped after 10 s", "crashed: segmentation fault (signal 11)"; empty if it is good.
   std::string Problem() const;
 };

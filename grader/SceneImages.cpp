@@ -5,9 +5,12 @@
 
 #include "R2/ImageFile.h"
 #include "source/accelerate/Accelerator.h"
+#include "grader/RuledDepth.h"
 #include "grader/RuledShading.h"
 #include "source/render/PixelTrace.h"
 #include "source/render/Render.h"
+#include "source/text/Quoting.h"
+#include "source/text/Words.h"
 
 namespace ray::grade {
 namespace {
@@ -48,8 +51,10 @@ std::unique_ptr<const Accelerator> Accelerated(const World& world, const Acceler
   return FindAcceleratorKind(settings.name)->Make(world, settings);
 }
 
-R2::Image Rendered(const Variant& variant, const World& world, const Accelerator& accelerator) {
+R2::Image Rendered(const Variant& variant, const World& world, const Accelerator& exact) {
   const RenderSettings& settings = variant.settings;
+  const RuledDepth ruled(world, variant.depth);
+  const Accelerator& accelerator = variant.depth == DepthRules() ? exact : ruled;
   if (variant.rules == ShadingRules()) return Render(world, accelerator, settings).image;
   const TraceSettings trace = TraceSettingsOf(settings);
   if (settings.mode != RenderMode::whitted || !RuledShading::CanShade(world, trace)) return {};
@@ -70,8 +75,31 @@ struct SceneImages::Built {
 SceneImages::SceneImages(const SuiteScene& scene, const std::string& file, const Loader& load)
     : scene_(scene), file_(file), built_(std::make_unique<Built>(load(scene, file))) {
   reference_ = *With({});
+  RefuseIdleOptions(load);
   FindSteadyPixels();
   FindSmoothing();
+}
+
+void SceneImages::RefuseIdleOptions(const Loader& load) {
+  std::vector<std::vector<std::string>> options;  // each with its arguments
+  for (const std::string& word : SplitWords(scene_.options)) {
+    if (options.empty() || LooksLikeOption(word)) options.emplace_back();
+    options.back().push_back(word);
+  }
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    SuiteScene without = scene_;
+    without.options.clear();
+    for (std::size_t k = 0; k < options.size(); ++k)
+      if (k != i) without.options += ShellLine(options[k]) + " ";
+    const SceneToRender scene = load(without, file_);
+    const World world(scene.scene);
+    const R2::Image image = Render(world, *Accelerated(world, scene.accelerator), scene.settings).image;
+    if (image.Channels() != light_.at({}).Channels()) continue;
+    SceneError at = scene_.options_at;
+    if (at.file.empty()) at.file = scene_.file;
+    at.message = "the option " + Quoted(ShellLine(options[i])) + " does not change the image of " + scene_.name;
+    throw SceneErrors({at});
+  }
 }
 
 // Programs that smooth edges take 4 samples, or 16, or more; two and a half times what 16 samples change covers them
@@ -95,13 +123,7 @@ void SceneImages::FindSteadyPixels() {
   const int width = reference_.Width(), height = reference_.Height();
   steady_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), true);
   if (scene_.runs > 1) return;  // blocks are compared, whose means an edge changes little
-  for (const R2::Vector& shift : shifts) {
-    const R2::Image moved = Shown(Light({}, shift), {});
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        if (LargestChannel(moved.At(x, y) - reference_.At(x, y)) > scene_.tolerance)
-          steady_[static_cast<std::size_t>(y * width + x)] = false;
-  }
+  steady_ = SteadyWith({});
   const auto& [scene, settings, accelerator] = built_->scene;
   const Camera& camera = settings.view ? *settings.view : scene.camera;
   Workspace workspace;
@@ -112,6 +134,24 @@ void SceneImages::FindSteadyPixels() {
       if (!hit || !hit->is_contested) continue;
       steady_[static_cast<std::size_t>(y * width + x)] = false;
     }
+}
+
+std::vector<bool> SceneImages::SteadyWith(const MistakeList& mistakes) {
+  const auto kept = steady_with_.find(mistakes);
+  if (kept != steady_with_.end()) return kept->second;
+  std::vector<bool> steady(static_cast<std::size_t>(reference_.Width()) * static_cast<std::size_t>(reference_.Height()),
+                           true);
+  const auto image = With(mistakes);
+  if (!image) return steady;
+  const MistakeList before = BeforeRendering(mistakes);
+  for (const R2::Vector& shift : shifts) {
+    const R2::Image moved = Shown(Light(before, shift), mistakes);
+    for (int y = 0; y < image->Height(); ++y)
+      for (int x = 0; x < image->Width(); ++x)
+        if (LargestChannel(moved.At(x, y) - image->At(x, y)) > scene_.tolerance)
+          steady[static_cast<std::size_t>(y * image->Width() + x)] = false;
+  }
+  return steady_with_.emplace(mistakes, std::move(steady)).first->second;
 }
 
 R2::Image SceneImages::Light(const MistakeList& mistakes, R2::Vector shift_in_pixels, int samples) const {
@@ -133,14 +173,22 @@ std::optional<R2::Image> SceneImages::With(const MistakeList& mistakes) {
 
 std::optional<R2::Image> SceneImages::LightWith(const MistakeList& mistakes) {
   const MistakeList before = BeforeRendering(mistakes);
-  auto& light = light_[before];
-  if (!light) light = Light(before);
-  if (light->Width() == 0) return {};
-  return Finished(*light, mistakes);
+  constexpr std::size_t most_kept = 500;  // 65 MB of images of 120 x 90
+  auto kept = light_.find(before);
+  if (kept == light_.end() && light_.size() >= most_kept && before.size() > 1) {
+    const R2::Image light = Light(before);
+    if (light.Width() == 0) return {};
+    return Finished(light, mistakes);
+  }
+  if (kept == light_.end()) kept = light_.emplace(before, Light(before)).first;
+  if (kept->second.Width() == 0) return {};
+  return Finished(kept->second, mistakes);
 }
 
 R2::Image SceneImages::AsOfAnother(const MistakeList& mistakes) const {
-  R2::Image image = Shown(Light(BeforeRendering(mistakes), {0.11, -0.07}), mistakes);
+  const R2::Image light = Light(BeforeRendering(mistakes), {0.11, -0.07});
+  if (light.Width() == 0) return {};
+  R2::Image image = Shown(light, mistakes);
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) {
       const R2::Color c = image.At(x, y);

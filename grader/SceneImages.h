@@ -47,6 +47,8 @@ class SceneImages {
   /// By rows from the bottom. A pixel is steady unless it changes by more than the tolerance when the camera is moved
   /// by less than half a pixel, or several surfaces are coincident there.
   const std::vector<bool>& Steady() const { return steady_; }
+  /// Returns which pixels of the image with mistakes are steady in the same way; all of them where it cannot be made.
+  std::vector<bool> SteadyWith(const MistakeList& mistakes);
   /// How far smoothed edges may be from the reference at each pixel: programs differ in where their samples lie.
   const std::vector<double>& Smoothing() const { return smoothing_; }
   /// Returns the image with mistakes, values for a screen; nothing where they cannot be made in this scene.
@@ -67,6 +69,8 @@ class SceneImages {
   /// Empty where the mistakes, all of them made before an image is rendered, cannot be made; samples 0: as many as the
   /// scene asks for.
   R2::Image Light(const MistakeList& mistakes, R2::Vector shift_in_pixels = {}, int samples = 0) const;
+  /// Throws SceneErrors if an option of the suite does not change the image.
+  void RefuseIdleOptions(const Loader& load);
   void FindSteadyPixels();
   void FindSmoothing();
 
@@ -76,8 +80,9 @@ class SceneImages {
   R2::Image reference_;
   std::vector<bool> steady_;
   std::vector<double> smoothing_;
+  std::map<MistakeList, std::vector<bool>> steady_with_;
   // What mistakes of the finished image begin with.
-  std::map<MistakeList, std::optional<R2::Image>> light_;
+  std::map<MistakeList, R2::Image> light_;
 };
 
 }  // namespace ray::grade

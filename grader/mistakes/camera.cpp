@@ -51,6 +51,48 @@ extern const MistakeTable camera_mistakes{
      .expected = "Rays start at the eye.",
      .hint = "Where do your camera rays start?",
      .make = [](Variant& v) { v.OwnScene().camera.eye = {}; }},
+    {.name = "angle_without_tangent",
+     .title = "the field of view is used without its tangent",
+     .expected = "Half the width of the image plane at distance 1 is the tangent of half the angle.",
+     .hint = "What is the half width for an angle of 45 degrees?",
+     .make =
+         [](Variant& v) {
+           double& angle = v.OwnScene().camera.xfov;
+           angle = R1::Atan(angle);
+         }},
+    {.name = "aspect_in_whole_numbers",
+     .title = "the aspect ratio is computed in whole numbers",
+     .expected = "Width divided by height is a fraction: 4 / 3 is not 1.",
+     .hint = "Are width and height integers where they are divided?",
+     .make =
+         [](Variant& v) {
+           const int aspect = v.settings.width / v.settings.height;
+           if (aspect > 0) v.OwnScene().camera.aspect = aspect;
+         }},
+    {.name = "up_not_orthogonal",
+     .title = "the camera's up vector is used as it stands in the file",
+     .expected = "Up is made orthogonal to the view direction: up = right x towards.",
+     .hint = "Are heights wrong where the camera looks down?",
+     .make =
+         [](Variant& v) {
+           Camera& camera = v.OwnScene().camera;
+           // Files nearly always have a coordinate axis.
+           const R3::Vector a = Abs(camera.up);
+           const auto sign = [](double x) { return x < 0 ? -1.0 : 1.0; };
+           camera.up = a.y >= a.x && a.y >= a.z ? R3::Vector{0, sign(camera.up.y), 0}
+                       : a.z >= a.x             ? R3::Vector{0, 0, sign(camera.up.z)}
+                                                : R3::Vector{sign(camera.up.x), 0, 0};
+         }},
+    {.name = "towards_not_normalized",
+     .title = "the view direction is not of unit length",
+     .expected = "The view direction is normalized before the image plane is placed at distance 1.",
+     .hint = "Does the image change if the direction in the file is doubled?",
+     .make =
+         [](Variant& v) {
+           Camera& camera = v.OwnScene().camera;
+           // The largest component of directions in files is nearly always 1.
+           camera.xfov = R1::Atan(R1::Tan(camera.xfov) * MaxComponent(Abs(camera.towards)));
+         }},
 };
 
 }  // namespace ray::grade

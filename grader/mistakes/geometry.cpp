@@ -1,5 +1,8 @@
 #include "grader/mistakes/Tables.h"
 
+#include <cmath>
+
+#include "R3/Transform.h"
 #include "grader/Changes.h"
 
 namespace ray::grade {
@@ -74,6 +77,57 @@ extern const MistakeTable geometry_mistakes{
          [](Variant& v) {
            RemoveShapes(v.OwnScene(), [](const R3::Shape& shape) { return !shape.IsSolid() && shape.IsBounded(); });
          }},
+    {.name = "scale_ignored",
+     .title = "scaling is ignored",
+     .expected = "Every shape is placed and sized by the matrices of the groups around it.",
+     .hint = "Is each column of your matrices of unit length?",
+     .make =
+         [](Variant& v) {
+           ChangeTransforms(v.OwnScene(), [](const R3::Matrix& matrix) {
+             R3::Matrix unscaled = matrix;
+             for (std::size_t j = 0; j < 3; ++j) {
+               const double length = std::hypot(matrix.m[0][j], matrix.m[1][j], matrix.m[2][j]);
+               for (std::size_t i = 0; i < 3 && length > 0; ++i) unscaled.m[i][j] /= length;
+             }
+             return unscaled;
+           });
+         }},
+    {.name = "nested_transforms_ignored",
+     .title = "transforms within transforms are ignored",
+     .expected = "A point goes through its own matrix first, then through its parent's: M = M_parent M_child.",
+     .hint = "What happens to a group within a group?",
+     .make = [](Variant& v) { IgnoreNestedTransforms(v.OwnScene()); }},
+    {.name = "matrix_inverted",
+     .title = "matrices are used in place of their inverses",
+     .expected = "Shapes are placed by M; rays go into a shape's frame by the inverse of M.",
+     .hint = "Do things move the opposite way?",
+     .make =
+         [](Variant& v) {
+           ChangeTransforms(v.OwnScene(), [](const R3::Matrix& matrix) {
+             const auto transform = R3::Transform::Of(matrix);
+             return transform ? transform->Inverse() : matrix;
+           });
+         }},
+    {.name = "last_shape_wins",
+     .title = "the last shape in the file hides the others",
+     .expected = "The hit with the smallest t in front of the eye counts, whatever the order of shapes.",
+     .hint = "Is a hit compared with the nearest so far?",
+     .make = [](Variant& v) { v.depth.choice = DepthRules::Choice::last_in_file; }},
+    {.name = "first_shape_wins",
+     .title = "the first shape in the file hides the others",
+     .expected = "The hit with the smallest t in front of the eye counts, whatever the order of shapes.",
+     .hint = "Does your loop over the shapes end at the first hit?",
+     .make = [](Variant& v) { v.depth.choice = DepthRules::Choice::first_in_file; }},
+    {.name = "t_of_each_group",
+     .title = "distances in groups of different scale are compared",
+     .expected = "t is compared along one ray: a direction that is normalized in a scaled group counts in its units.",
+     .hint = "Is the direction normalized after it is transformed?",
+     .make = [](Variant& v) { v.depth.choice = DepthRules::Choice::by_local_length; }},
+    {.name = "far_root",
+     .title = "spheres show their far side",
+     .expected = "The smaller root in front of the eye counts.",
+     .hint = "Which of the two roots does your program take?",
+     .make = [](Variant& v) { v.depth.far_side_of_spheres = true; }},
 };
 
 }  // namespace ray::grade

@@ -119,6 +119,14 @@ extern const MistakeTable image_mistakes{
      .expected = "I = ka Ia + sum over the lights of (kd (N.L) + ks (V.R)^n) IL.",
      .hint = "Was a test of the normals left in the program?",
      .make = [](Variant& v) { v.settings.mode = RenderMode::normal_color; }},
+    {.name = "clamped_by_largest",
+     .title = "bright colors are scaled instead of clamped",
+     .expected = "Each channel is clamped to [0, 1] by itself.",
+     .hint = "Does a bright spot keep its hue?",
+     .of_image =
+         [](const R2::Image& image) {
+           return EachColor(image, [](const R2::Color& c) { return c / std::max({1.0, c.r, c.g, c.b}); });
+         }},
 };
 
 }  // namespace ray::grade

@@ -1,6 +1,7 @@
 #include "grader/mistakes/Tables.h"
 
 #include <numbers>
+#include <utility>
 
 #include "grader/Changes.h"
 
@@ -105,6 +106,70 @@ extern const MistakeTable lights_mistakes{
      .expected = "Each light is blocked by what lies towards this light.",
      .hint = "Which light's position does the shadow ray get?",
      .make = [](Variant& v) { v.rules.shadow = ShadingRules::Shadow::of_next_light; }},
+    {.name = "attenuation_swapped",
+     .title = "the coefficients of attenuation are read in the wrong order",
+     .expected = "In the file they stand as ca, la, qa: constant, linear, quadratic.",
+     .hint = "Which of the three is multiplied by d^2?",
+     .make =
+         [](Variant& v) {
+           ChangeLights(v.OwnScene(), [](LightArguments& light) {
+             if (double* ca = light.At("ca")) std::swap(*ca, *light.At("qa"));
+           });
+         }},
+    {.name = "constant_attenuation_ignored",
+     .title = "the constant part of attenuation is ignored",
+     .expected = "Light fades as the scene file says: divided by ca + la d + qa d^2.",
+     .hint = "How bright is a place very near a light?",
+     .make =
+         [](Variant& v) {
+           ChangeLights(v.OwnScene(), [](LightArguments& light) {
+             if (double* ca = light.At("ca"); ca && *light.At("la") + *light.At("qa") > 0) *ca = 0;
+           });
+         }},
+    {.name = "attenuation_multiplied",
+     .title = "light is multiplied by its attenuation",
+     .expected = "Light from a place arrives divided by ca + la d + qa d^2.",
+     .hint = "Does light grow with the distance?",
+     .make = [](Variant& v) { v.rules.fading = ShadingRules::Fading::multiplied; }},
+    {.name = "distance_squared",
+     .title = "attenuation has the squared distance in place of the distance",
+     .expected = "d is the distance itself, the length of the vector to the light.",
+     .hint = "Is there a square root in the distance?",
+     .make = [](Variant& v) { v.rules.fading = ShadingRules::Fading::of_square; }},
+    {.name = "spot_linear",
+     .title = "spot lights fade linearly with the angle",
+     .expected = "Within the cone, light is multiplied by the cosine of the angle to the axis, to the power sd.",
+     .hint = "Which part has the exponent sd in your program?",
+     .make = [](Variant& v) { v.rules.spot_is_linear = true; }},
+    {.name = "spot_backwards",
+     .title = "spot lights shine backwards",
+     .expected = "The direction in the file is where the axis of the cone goes.",
+     .hint = "Which vector does the dot product with the axis get?",
+     .make =
+         [](Variant& v) {
+           ChangeLights(v.OwnScene(), [](LightArguments& light) {
+             for (const char* axis : {"dx", "dy", "dz"})
+               if (double* value = light.At(axis); value && light.kind == "spot_light") *value = -*value;
+           });
+         }},
+    {.name = "lights_averaged",
+     .title = "lights are averaged",
+     .expected = "The terms of all lights are added up.",
+     .hint = "Is the sum divided by the number of lights?",
+     .make =
+         [](Variant& v) {
+           Scene& scene = v.OwnScene();
+           const auto count = static_cast<double>(scene.lights.size());
+           ChangeLights(scene, [&](LightArguments& light) {
+             for (const char* channel : {"r", "g", "b"})
+               if (double* value = light.At(channel)) *value /= count;
+           });
+         }},
+    {.name = "glass_casts_no_shadow",
+     .title = "transparent things cast no shadows",
+     .expected = "In this course a shadow ray is blocked by whatever lies before the light, glass too.",
+     .hint = "Does your shadow test look at the material?",
+     .make = [](Variant& v) { v.depth.glass_casts_no_shadow = true; }},
 };
 
 }  // namespace ray::grade

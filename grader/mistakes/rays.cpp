@@ -77,6 +77,69 @@ extern const MistakeTable rays_mistakes{
            if (v.settings.trace.fresnel) v.settings.trace.internal_reflection = true;
            v.settings.trace.fresnel = false;
          }},
+    {.name = "no_bounce",
+     .title = "no rays are sent on",
+     .expected = "Mirrors and glass send rays on, as often as the maximum depth says.",
+     .hint = "With which depth does the recursion begin?",
+     .make = [](Variant& v) { v.settings.trace.max_depth = 0; }},
+    {.name = "two_bounces_more",
+     .title = "two bounces too many",
+     .expected = "Rays are followed for as many bounces as the maximum depth says.",
+     .hint = "Where is the depth compared, and where is it counted?",
+     .make = [](Variant& v) { v.settings.trace.max_depth += 2; }},
+    {.name = "many_bounces",
+     .title = "rays are followed without end",
+     .expected = "Rays are followed for as many bounces as the maximum depth says.",
+     .hint = "What ends the recursion?",
+     .make = [](Variant& v) { v.settings.trace.max_depth += 12; }},
+    {.name = "mirrors_see_no_background",
+     .title = "mirrors and glass see black instead of the background",
+     .expected = "A mirror ray that hits nothing sees the background, as a camera ray does.",
+     .hint = "What does your recursion return where a ray hits nothing?",
+     .make =
+         [](Variant& v) {
+           Scene& scene = v.OwnScene();
+           v.rules.camera_background = scene.background;
+           scene.background = {};
+         }},
+    {.name = "mirror_opposite",
+     .title = "mirror rays go the opposite way",
+     .expected = "The mirrored direction is d - 2 (d.N) N, with d pointing away from the viewer.",
+     .hint = "Does the view vector point to the viewer or away?",
+     .make = [](Variant& v) { v.rules.mirror = ShadingRules::Mirror::opposite; }},
+    {.name = "mirror_sign",
+     .title = "mirror rays have a wrong sign",
+     .expected = "The mirrored direction is d - 2 (d.N) N, with d pointing away from the viewer.",
+     .hint = "Is there a plus where a minus is due?",
+     .make = [](Variant& v) { v.rules.mirror = ShadingRules::Mirror::wrong_sign; }},
+    {.name = "mirror_replaces",
+     .title = "mirrors blend with the surface's own color",
+     .expected = "What the mirror ray sees is added; it takes nothing from the other terms.",
+     .hint = "Is the local color multiplied by 1 - ks?",
+     .make = [](Variant& v) { v.rules.mirror_replaces = true; }},
+    {.name = "glass_replaces",
+     .title = "glass blends with the surface's own color",
+     .expected = "What is seen through a surface is added; it takes nothing from the other terms.",
+     .hint = "Is the local color multiplied by 1 - kt?",
+     .make = [](Variant& v) { v.rules.glass_replaces = true; }},
+    {.name = "transmission_not_weighted",
+     .title = "glass takes no light",
+     .expected = "What is seen through a surface is multiplied by its transmittance kt.",
+     .hint = "What multiplies the color that the refracted ray returns?",
+     .make =
+         [](Variant& v) {
+           ChangeMaterials(v.OwnScene(), [](Material& m) {
+             if (!IsBlack(m.kt)) m.kt = {1, 1, 1};
+           });
+         }},
+    {.name = "total_reflection_added",
+     .title = "light that cannot leave glass is reflected",
+     .expected = "In this course a ray that cannot be refracted ends.",
+     .hint = "What happens where the root in Snell's law has no solution?",
+     .make =
+         [](Variant& v) {
+           if (!v.settings.trace.fresnel) v.settings.trace.internal_reflection = true;
+         }},
 };
 
 }  // namespace ray::grade

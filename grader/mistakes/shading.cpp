@@ -60,6 +60,57 @@ extern const MistakeTable shading_mistakes{
      .expected = "Where N.L is not positive, the light is behind the surface and adds nothing.",
      .hint = "What happens to a negative N.L?",
      .make = [](Variant& v) { v.rules.cosine = ShadingRules::Cosine::absolute; }},
+    {.name = "ambient_by_diffuse",
+     .title = "ambient light reflected by the diffuse color",
+     .expected = "Ambient light is reflected by ka: ka Ia.",
+     .hint = "Compare surfaces whose ka and kd differ.",
+     .make =
+         [](Variant& v) {
+           ChangeMaterials(v.OwnScene(), [](Material& m) { m.ka = m.kd, m.texture_multiplies_ka = true; });
+         }},
+    {.name = "ambient_light_ignored",
+     .title = "the color of ambient light is ignored",
+     .expected = "The ambient term is ka times the scene's ambient light Ia.",
+     .hint = "Change the scene's ambient line: does the image change?",
+     .make =
+         [](Variant& v) {
+           v.OwnScene().ambient = {1, 1, 1};
+         }},
+    {.name = "emission_per_light",
+     .title = "emission added once per light",
+     .expected = "Emission is added once per point, outside of the sum over the lights.",
+     .hint = "Is a shining surface brighter when there are two lights?",
+     .make =
+         [](Variant& v) {
+           Scene& scene = v.OwnScene();
+           const auto count = static_cast<double>(scene.lights.size());
+           ChangeMaterials(scene, [&](Material& m) { m.emission = count * m.emission; });
+         }},
+    {.name = "exponent_halved",
+     .title = "the shininess exponent is halved",
+     .expected = "The highlight is (V.R) to the power of the material's exponent n.",
+     .hint = "Are highlights too wide?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.n /= 2; }); }},
+    {.name = "exponent_doubled",
+     .title = "the shininess exponent is doubled",
+     .expected = "The highlight is (V.R) to the power of the material's exponent n.",
+     .hint = "Are highlights too small?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.n *= 2; }); }},
+    {.name = "cosine_squared",
+     .title = "the cosine counts twice",
+     .expected = "Diffuse reflection falls with the cosine N.L of the angle to the light.",
+     .hint = "Is the cosine multiplied in two places?",
+     .make = [](Variant& v) { v.rules.cosine = ShadingRules::Cosine::squared; }},
+    {.name = "highlight_by_cosine",
+     .title = "highlights fade with the cosine to the light",
+     .expected = "The highlight is ks (V.R)^n IL; N.L has no part in it.",
+     .hint = "What is multiplied by N.L: the sum of both terms?",
+     .make = [](Variant& v) { v.rules.highlight_by_cosine = true; }},
+    {.name = "highlight_behind",
+     .title = "highlights of lights behind the surface",
+     .expected = "Where N.L is not positive, the light is behind the surface and adds neither term.",
+     .hint = "What does your program check before it computes (V.R)^n?",
+     .make = [](Variant& v) { v.rules.highlight_behind = true; }},
 };
 
 }  // namespace ray::grade

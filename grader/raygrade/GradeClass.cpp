@@ -129,11 +129,14 @@ std::string IdentityOf(const grade::Grader& grader, const GradeOptions& options,
   return build.empty() ? text : text + ", built by " + Quoted(build);
 }
 
+std::string ContentOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 /// What an earlier run has found, if that is complete and of the same suite, seed and command.
 std::optional<StudentResult> Kept(const fs::path& results, const std::string& identity) {
-  std::ifstream file(results, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  auto student = grade::ReadResultsJson(text, identity);
+  auto student = grade::ReadResultsJson(ContentOf(results), identity);
   return student && student->is_complete ? student : std::nullopt;
 }
 
@@ -159,6 +162,14 @@ void RequirePrograms(const grade::Grader& grader, const GradeOptions& options, c
   if (count > 0) PrintError("raygrade: there is no " + Quoted(missing) + " in the folders of " + without);
 }
 
+/// Takes over the comment that a teacher has written to a file beside the student's page.
+void AddComment(const fs::path& folder, StudentResult& student) {
+  student.comment = ContentOf(folder / "comment.txt");
+  while (!student.comment.empty() && student.comment.back() == '\n') student.comment.pop_back();
+  const std::string page = ContentOf(folder / "index.html"), with = grade::WithComment(page, student.comment);
+  if (with != page) WriteText((folder / "index.html").string(), with);
+}
+
 int GradeClass(grade::Grader& grader, const GradeOptions& options, const std::string& identity) {
   const fs::path out = options.out;
   std::vector<StudentResult> students;
@@ -169,6 +180,7 @@ int GradeClass(grade::Grader& grader, const GradeOptions& options, const std::st
     auto student = options.resume ? Kept(results, identity) : std::nullopt;
     if (!student) student = GradeStudent(grader, name, FolderOf(options, name), page, results.string(), identity);
     if (StopSignal() != 0) return status::killed_by + StopSignal();
+    AddComment(page, *student);
     students.push_back(std::move(*student));
     for (grade::SceneResult& scene : students.back().scenes) scene.expected = scene.actual = scene.difference = {};
     WriteText((out / "class.csv").string(), ClassCsv(students));

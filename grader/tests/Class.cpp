@@ -113,6 +113,31 @@ TEST(Raygrade, ProgramsAreBuiltInCopiesAndTheirLogIsOnThePage) {
   EXPECT_FALSE(fs::exists(place / "handed_in/amy/tracer")) << "what was handed in has changed";
 }
 
+TEST(Raygrade, CommentsByHandOutliveResume) {
+  NEEDS_RAYGRADE();
+  const TeachersFolder place;
+  place.AddTracer("handed_in/amy");
+  const std::string words = std::string("-students handed_in -resume -- {student}/tracer {scene} {image}") + size;
+  place.Graded(words);
+  for (const char* comment : {"Well done & neat", ""}) {
+    WriteFile(place / "graded/amy/comment.txt", std::string(comment) + "\n");
+    EXPECT_FALSE(Has(place.Graded(words), "amy: a:")) << "graded again";
+    const bool has_comment = *comment != 0;
+    EXPECT_EQ(Has(ReadFile(place / "graded/amy/index.html"), "Well done &amp; neat"), has_comment);
+    EXPECT_EQ(Has(ReadFile(place / "graded/index.html"), "Well done &amp; neat"), has_comment);
+    EXPECT_EQ(Has(ReadFile(place / "graded/class.csv"), "Well done & neat"), has_comment);
+  }
+}
+
+TEST(Raygrade, OptionsWithoutEffectAreAnError) {
+  NEEDS_RAYGRADE();
+  const TeachersFolder place;
+  WriteFile(place / "suite.yaml",
+            "width: 32\nheight: 24\nscenes:\n  - scene: a.scn\n    options: \"-fov 40 -fresnel\"\n");
+  const std::string printed = place.Graded("-- /bin/true {scene}", 3);
+  EXPECT_TRUE(Has(printed, "suite.yaml:5:14: error: the option '-fresnel' does not change the image of a")) << printed;
+}
+
 TEST(Raygrade, TheCommandOfABuildHasLimitsOfItsOwn) {
   NEEDS_RAYGRADE();
   const TeachersFolder place;

@@ -88,6 +88,30 @@ TEST(Grader, ResultsSurviveWritingAndReading) {
   EXPECT_FALSE(grade::ReadResultsJson(damaged, "suite 1"));
 }
 
+/// A student with some points in one scene, and a remark.
+grade::StudentResult StudentWith(const std::string& name, double score, const std::string& note) {
+  grade::StudentResult student{.name = name, .scenes = {}};
+  student.scenes.resize(1);
+  student.scenes[0].scene = "mirrors";
+  student.scenes[0].points = 8, student.scenes[0].score = score, student.scenes[0].note = note;
+  return student;
+}
+
+TEST(Grader, TheClassHasItsMaximumMeanAndMedian) {
+  std::vector<grade::StudentResult> students{StudentWith("amy", 7, ""), StudentWith("bob", 1, "time-out"),
+                                             StudentWith("cat", 2, "")};
+  students[0].verdict.mistakes = students[2].verdict.mistakes = "no_shadows";
+  const std::string csv = ClassCsv(students), page = ClassPage(students, MirrorSuite());
+  EXPECT_TRUE(Has(csv, "(maximum),mirrors,8,7,") && Has(csv, "(median),mirrors,8,2,")) << csv;
+  EXPECT_TRUE(Has(csv, "(mean),mirrors,8,3.333,")) << csv;
+  EXPECT_TRUE(Has(csv, "bob,mirrors,8,1,failed,,time-out,")) << csv;
+  EXPECT_TRUE(Has(page, "no_shadows<td><span class=\"bar\" style=\"width:2em\"></span> 2<td>"
+                        "<a href=\"amy/index.html\">amy</a>, <a href=\"cat/index.html\">cat</a>"))
+      << page;
+  students.pop_back();
+  EXPECT_TRUE(Has(ClassCsv(students), "(median),mirrors,8,4,"));
+}
+
 TEST(Grader, PagesHoldNoScriptAndNoForeignText) {
   grade::StudentResult student{.name = "<script>", .scenes = {}};
   const std::string page = StudentPage(student, MirrorSuite(), "");

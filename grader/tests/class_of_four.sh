@@ -35,7 +35,6 @@ scenes:
   - scene: sphere.scn
   - scene: lights.scn
   - scene: mirror.scn
-    options: "-max_depth 3 -min_luminance 0"
 SUITE
 
 "$RAYGRADE" suite/suite.yaml -students handed_in -build "make -C {student}" -image ppm -- \
