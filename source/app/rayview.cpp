@@ -32,6 +32,7 @@ bool StaysOpen(const ViewOptions& view) { return IsLookedAt(view) && !view.exit_
 /// Returns the scene. If it has mistakes and the user can see them in a window while editing the files, returns the
 /// mistakes and a scene with the files to watch.
 std::shared_ptr<const LoadedScene> SceneFor(const ViewerOptions& asked, std::optional<SceneErrors>& mistakes) {
+  if (asked.files.scene.empty()) return std::make_shared<const LoadedScene>(ParsedScene{}, asked.accelerator);
   try {
     return std::make_shared<const LoadedScene>(asked.files.scene, asked.parse, asked.accelerator);
   } catch (const SceneErrors& errors) {
@@ -69,6 +70,7 @@ int ViewScene(const ViewerOptions& asked) {
 }
 
 int Run(const std::vector<std::string>& words) {
+  if (words.empty() && HasWindows()) return ViewScene({});  // a start page
   ViewerOptions options = ReadCommandLine<ViewerOptions>(Program::rayview, words);
   if (!options.request) return ViewScene(options);
   options.keys = LinesOfHelp();

@@ -46,6 +46,7 @@ struct FrameState {
 
   DrawingSize size;  // of the whole
   DrawingSize view;  // of the part, at the left, that shows the scene
+  int bottom = 0;    // of that, and of the cross section, in pixels from the bottom of the whole
   R2::Color background;
   ClipMatrix clip_from_drawing{};
   PreviewView seen_from;

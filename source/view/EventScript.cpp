@@ -49,7 +49,8 @@ class Reader {
   };
 
   void ReadStep(const Token& word) {
-    static constexpr std::array<Step, 18> steps{{{"screenshot", &Reader::ReadScreenshot},
+    static constexpr std::array<Step, 19> steps{{{"screenshot", &Reader::ReadScreenshot},
+                                                 {"origin", &Reader::ReadOrigin},
                                                  {"print", &Reader::ReadPrint},
                                                  {"panel", &Reader::ReadPanel},
                                                  {"key", &Reader::ReadKey},
@@ -149,6 +150,11 @@ class Reader {
     } else {
       steps_.emplace_back(WaitSeconds{Seconds()});
     }
+  }
+  void ReadOrigin() {
+    const Token word = Word("top or bottom");
+    if (word.text != "top" && word.text != "bottom") throw ErrorAt(text_, word, "the origin is top or bottom");
+    steps_.emplace_back(Origin{word.text == "bottom"});
   }
   void ReadScreenshot() { steps_.emplace_back(Screenshot{RestOfLine("the name of an image file")}); }
   void ReadPanel() { steps_.emplace_back(ClickPanel{RestOfLine("what is to be clicked in the panels")}); }

@@ -13,7 +13,8 @@
 ///     key Control+S              pressed and released
 ///     press W / release W
 ///     type hello                 what keys have typed, into a field for text; the rest of the line
-///     down left 100 200 Shift    a button, at a position in pixels from the lower left corner, with modifiers held
+///     origin bottom              from here on, y counts from the bottom of the drawing; otherwise from its top
+///     down left 100 200 Shift    a button, at a position x y in pixels, with modifiers held
 ///     up left 100 200
 ///     move 120 210               the pointer
 ///     click right 75 50          down and up
@@ -32,6 +33,10 @@
 ///     print                      what the viewer shows, in words
 namespace ray {
 
+/// Says from where y counts in the steps that follow.
+struct Origin {
+  bool is_bottom = false;
+};
 struct WaitForTrace {};
 struct WaitForImage {};
 struct WaitForRows {
@@ -48,7 +53,7 @@ struct ClickPanel {
 };
 struct PrintState {};
 
-using ScriptStep = std::variant<Event, WaitForTrace, WaitForImage, WaitForRows, WaitSeconds, Screenshot, ClickPanel, PrintState>;
+using ScriptStep = std::variant<Event, Origin, WaitForTrace, WaitForImage, WaitForRows, WaitSeconds, Screenshot, ClickPanel, PrintState>;
 
 /// Throws SceneErrors that point at each mistake.
 std::vector<ScriptStep> ReadEventScript(const Text& text);

@@ -28,6 +28,13 @@ bool IsAction(const Event& event) {
   return std::holds_alternative<DropEvent>(event) || std::holds_alternative<CloseEvent>(event);
 }
 
+/// The event with its position, if it has one, counted from the lower left corner of the view.
+template <typename Kind>
+Kind InView(Kind event, double bottom) {
+  if constexpr (requires { event.y; }) event.y -= bottom;
+  return event;
+}
+
 }  // namespace
 
 void Viewer::Handle(const Event& event) {
@@ -41,7 +48,8 @@ void Viewer::Handle(const Event& event) {
     // Whatever panels came up since the press: a drag that nobody ends would go on for ever.
     if (is_taken && !(is_let_go && pointer_.IsHeldBy(button->button))) return;
   }
-  std::visit([this](const auto& e) { On(e); }, event);
+  // From here on positions are those in the view.
+  std::visit([this](const auto& e) { On(InView(e, state_.layout().bottom)); }, event);
   state_.navigator.SetSize(state_.layout().view);
 }
 

@@ -11,7 +11,7 @@ Layout Layout::Of(const DrawingSize& all, double column, double bar, bool has_se
   const int width = std::max(1, all.width - static_cast<int>(column));
   const int height = std::max(1, all.height - static_cast<int>(bar));
   const int view = has_section ? std::max(1, width / 2) : width;
-  return {{view, height}, {width - view, height}};
+  return {{view, height}, {width - view, height}, all.height - height};
 }
 
 bool Layout::IsOnSection(const R2::Point& position) const {

@@ -44,6 +44,7 @@ struct Layout {
   PixelBox PlaceFor(double width, double height) const;
 
   DrawingSize view, section;  // the former at least 1 x 1, the latter of width 0 where it is hidden
+  int bottom = 0;             // of both, in the drawing
 };
 
 /// All that a viewer knows, each part with rules of its own. The commands in source/view/commands change it, as keys

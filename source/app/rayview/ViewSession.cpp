@@ -166,8 +166,11 @@ class Session : public ViewerHost {
                 *this),
         recorder_(outputs_.record),
         recent_(IsLookedAt(options.view) && options.view.record.empty() ? RecentScenesFile() : std::string()) {
-    recent_.Add(options.files.scene);
+    if (!options.files.scene.empty()) recent_.Add(options.files.scene);
     if (options.view.panels != "off") viewer_.ShowPanels(first_look_);
+    if (!options.files.scene.empty()) return;
+    ToggleSceneList(viewer_.state());
+    viewer_.Tell("choose a scene, or drop a file here; H: help");
   }
 
   /// Shows mistakes in the file, because of which another scene is displayed.
@@ -298,8 +301,18 @@ class Session : public ViewerHost {
     return {};
   }
 
+  /// The event with its position, if it has one, counted from the other end of the drawing.
+  Event Flipped(Event event) const {
+    std::visit(
+        [&](auto& e) {
+          if constexpr (requires { e.y; }) e.y = viewer_.Size().height - e.y;
+        },
+        event);
+    return event;
+  }
+
   void Happen(const Event& event) {
-    recorder_.Keep(event);
+    recorder_.Keep(Flipped(event));
     viewer_.Handle(event);
     if (!wants_drawing_) return;
     wants_drawing_ = false;
@@ -365,8 +378,10 @@ class Session : public ViewerHost {
     for (const ScriptStep& step : steps) {
       if (viewer_.IsClosed() || StopSignal() != 0) return;
       if (const auto* event = std::get_if<Event>(&step)) {
-        Happen(*event);
+        Happen(y_is_from_bottom_ ? *event : Flipped(*event));
         DrawNewsInWindow();
+      } else if (const auto* origin = std::get_if<Origin>(&step)) {
+        y_is_from_bottom_ = origin->is_bottom;
       } else if (std::holds_alternative<WaitForTrace>(step)) {
         WaitUntilIdle();
       } else if (std::holds_alternative<WaitForImage>(step)) {
@@ -461,7 +476,7 @@ class Session : public ViewerHost {
   const Clock::time_point start_ = Clock::now();
   MotionDetail detail_;
   std::string title_;
-  bool wants_drawing_ = false;
+  bool wants_drawing_ = false, y_is_from_bottom_ = false;
   int status_ = status::done;
 };
 

@@ -121,27 +121,27 @@ void Drawer::DrawPicture(const FrameState& state) {
   if (state.split < 0 || state.split >= width) return;
   // The rest is drawn over it.
   Canvas& canvas = painter_.canvas;
-  canvas.Clip(state.split, 0, width - state.split, height);
+  canvas.Clip(state.split, state.bottom, width - state.split, height);
   canvas.Fill(state.background);
   if (state.beside) {
     draw(beside_, *state.beside);
   } else {
     const PixelBox& place = state.picture->place;
-    canvas.SetViewport(Whole(place.left), Whole(place.bottom), Whole(place.width), Whole(place.height));
-    canvas.Clip(state.split, 0, width - state.split, height);
+    canvas.SetViewport(Whole(place.left), state.bottom + Whole(place.bottom), Whole(place.width), Whole(place.height));
+    canvas.Clip(state.split, state.bottom, width - state.split, height);
     DrawScene(state);
-    canvas.SetViewport(0, 0, width, height);
+    canvas.SetViewport(0, state.bottom, width, height);
   }
-  canvas.Clip(state.split, 0, slider_width, height);
+  canvas.Clip(state.split, state.bottom, slider_width, height);
   canvas.Fill(slider_color);
-  canvas.SetViewport(0, 0, width, height);
+  canvas.SetViewport(0, state.bottom, width, height);
 }
 
 void Drawer::Draw(const FrameState& state) {
   Canvas& canvas = painter_.canvas;
   const ListDrawer& lists = painter_.lists;
   canvas.Begin(state.size.width, state.size.height, state.background);
-  canvas.SetViewport(0, 0, state.view.width, state.view.height);
+  canvas.SetViewport(0, state.bottom, state.view.width, state.view.height);
   const ClipMatrix& clip = state.clip_from_drawing;
   const bool is_covered = state.picture.has_value();
   if (is_covered)
@@ -158,7 +158,7 @@ void Drawer::Draw(const FrameState& state) {
   if (state.lit) lists.Draw(Upload(lit_, state.lit), clip, lit_width * width, hidden_lines);
   if (state.crop) lists.Draw(Upload(crop_, state.crop), clip, width, 1);
   if (state.section) {
-    canvas.SetViewport(state.view.width, 0, state.section_size.width, state.section_size.height);
+    canvas.SetViewport(state.view.width, state.bottom, state.section_size.width, state.section_size.height);
     canvas.Fill(state.section_ground);
     lists.Draw(Upload(section_, state.section), as_it_is, width, 1);
   }

@@ -409,7 +409,7 @@ class ImGuiPanels : public Panels {
   void DrawBar(PanelFrame& frame) {
     const float wide = ImGui::GetIO().DisplaySize.x - static_cast<float>(Width(frame.viewer.screen.size.width));
     const auto high = static_cast<float>(HeightOfBar());
-    ImGui::SetNextWindowPos({0, 0}, ImGuiCond_Always);
+    ImGui::SetNextWindowPos({0, ImGui::GetIO().DisplaySize.y - high}, ImGuiCond_Always);
     ImGui::SetNextWindowSize({wide, high}, ImGuiCond_Always);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
@@ -429,11 +429,11 @@ class ImGuiPanels : public Panels {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float left = parts_.column ? all.x - static_cast<float>(Width(frame.viewer.screen.size.width)) : all.x;
     const auto line = static_cast<float>(LettersOfLabels(Scale()).height);
-    const float top = parts_.column ? static_cast<float>(HeightOfBar()) + line / 2 : line;
+    const float bar = parts_.column ? static_cast<float>(HeightOfBar()) : 0, top = line;
     const float wide = std::min(static_cast<float>(help_share) * left, static_cast<float>(Pixels(help_wide)));
     ImGui::SetNextWindowPos({std::floor((left - wide) / 2), std::floor(top)}, ImGuiCond_Always);
     // Below it a message has room.
-    ImGui::SetNextWindowSize({std::floor(wide), std::max(line, std::floor(all.y - 2 * line - top))}, ImGuiCond_Always);
+    ImGui::SetNextWindowSize({std::floor(wide), std::max(line, std::floor(all.y - 2 * line - top - bar))}, ImGuiCond_Always);
     ImGui::Begin("help", nullptr, fixed_window | ImGuiWindowFlags_NoResize);
     BeginText();
     help_.Draw(frame);

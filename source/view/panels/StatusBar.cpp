@@ -42,6 +42,14 @@ void DrawStatusBar(PanelFrame& frame) {
   const ViewerState& viewer = frame.viewer;
   const float letter = ImGui::CalcTextSize("0").x, all = ImGui::GetContentRegionAvail().x,
               from = ImGui::GetCursorPosX();
+  constexpr const char* keys = "H help  Tab panels";
+  constexpr float least_letters = 70;  // of the bar, below which the progress needs all of it
+  const float room_for_keys = all > least_letters * letter ? letter * static_cast<float>(CountLetters(keys) + 2) : 0;
+  if (room_for_keys > 0) {
+    ImGui::SetCursorPosX(from + all - room_for_keys + 2 * letter);
+    ImGui::TextUnformatted(keys);
+    ImGui::SameLine(from);
+  }
   ImGui::TextUnformatted(NameAndSize(viewer).c_str());
   const RenderJob* job = viewer.pictures.Job();
   if (!job) return;
@@ -51,7 +59,7 @@ void DrawStatusBar(PanelFrame& frame) {
     ImGui::SameLine();
   }
   const std::string pixel = PixelUnderPointer(viewer, *job);
-  const float pixel_at = from + all - letter * static_cast<float>(CountLetters(pixel));
+  const float pixel_at = from + all - room_for_keys - letter * static_cast<float>(CountLetters(pixel));
   ImGui::TextUnformatted(Fitting(viewer.status.Text(), pixel_at - letter - ImGui::GetCursorPosX()).c_str());
   if (pixel.empty()) return;
   ImGui::SameLine(std::max(from, pixel_at));

@@ -99,6 +99,7 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
   FrameState shown;
   shown.size = viewer.screen.size;
   shown.view = viewer.layout().view;
+  shown.bottom = viewer.layout().bottom;
   if (viewer.section.IsShown()) {
     MakeSection(viewer);
     shown.section_size = viewer.section_pane.size;
@@ -133,6 +134,7 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
   ShowFlat(viewer, shown);
   shown.line_width = LineWidth(viewer);
   shown.labels = MakeLabels(viewer);
+  for (Label& label : shown.labels) label.y += shown.bottom;
   if (!shown.labels.empty() || viewer.shows.panels || viewer.shows.help)
     shown.panels = viewer.panels->Draw(viewer, shown.labels);
   return shown;

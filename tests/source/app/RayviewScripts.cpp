@@ -29,7 +29,7 @@ class RayviewScripts : public ::testing::Test {
   }
   Finished Follow(const std::string& script, const std::vector<std::string>& more = {}) const {
     return testing::RunProgram(
-        testing::With({scene, "-headless", "-events", WriteFile(folder / "script.events", script), "-image",
+        testing::With({scene, "-headless", "-events", WriteFile(folder / "script.events", "origin bottom\n" + script), "-image",
                        folder / "view.png", "-quiet"},
                       more),
         {.program = "RAYVIEW"});

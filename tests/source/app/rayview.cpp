@@ -43,7 +43,7 @@ class Rayview : public ::testing::Test {
   }
   /// Runs a script without a window.
   Finished Follow(const std::string& scene, const std::string& script, std::vector<std::string> more = {}) const {
-    more.insert(more.begin(), {scene, "-headless", "-events", WriteFile(folder / "script.events", script), "-width",
+    more.insert(more.begin(), {scene, "-headless", "-events", WriteFile(folder / "script.events", "origin bottom\n" + script), "-width",
                                "96", "-height", "64"});
     return Run(more);
   }
@@ -390,7 +390,7 @@ TEST_F(Rayview, MistakesAreReported) {
   EXPECT_NE(broken.error.find("broken.scn:1:1: error: unknown command 'spere'"), std::string::npos) << broken.error;
   const Finished script = Follow(Scene("hello.scn"), "key S\nkee Q\n");
   EXPECT_EQ(script.status, 3);
-  EXPECT_NE(script.error.find("script.events:2:1"), std::string::npos) << script.error;
+  EXPECT_NE(script.error.find("script.events:3:1"), std::string::npos) << script.error;
   EXPECT_EQ(Run({Scene("hello.scn"), "-headless", "-events", folder / "none.events"}).status, 3);
   EXPECT_EQ(Run({Scene("hello.scn"), "-headless", "-reference", WriteFile(folder / "x.png", "no image")}).status, 3);
 }

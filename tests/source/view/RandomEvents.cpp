@@ -251,7 +251,7 @@ class RandomUser {
   Modifiers SomeModifiers() { return {.shift = draw_.Whole(0, 3) == 0, .control = draw_.Whole(0, 3) == 0}; }
 
   Draw draw_;
-  std::string script_;
+  std::string script_ = "origin bottom\n";
   int edits_ = 0, saves_ = 0, crops_ = 0, slides_ = 0;
   CopiedScenes folder_;
   WithOptions host_;

@@ -73,7 +73,8 @@ PixelBox BoxOf(const Label& label, const LetterSize& letters) {
 void ExpectWithin(const FrameState& shown, const LetterSize& letters) {
   for (const Label& label : shown.labels) {
     const PixelBox box = BoxOf(label, letters);
-    EXPECT_TRUE(box.left >= 0 && box.bottom >= 0 && box.bottom + box.height <= shown.view.height) << label.text;
+    const double bottom = box.bottom - shown.bottom;
+    EXPECT_TRUE(box.left >= 0 && bottom >= 0 && bottom + box.height <= shown.view.height) << label.text;
     EXPECT_LE(box.left + box.width, shown.view.width + shown.section_size.width) << label.text;
   }
 }
