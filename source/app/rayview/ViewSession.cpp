@@ -408,11 +408,11 @@ class Session : public ViewerHost {
     viewer_.Update();
     while (viewer_.IsBusy() && StopSignal() == 0) Pause(ticks);
   }
-  /// Until the traced image is whole, which is shown from then on where it was not.
+  /// Shows the traced image, and waits until it is complete.
   void ShowWholeImage(bool ticks = true) {
     if (!viewer_.Pictures().IsLive()) ShowTraced(viewer_.state(), {});
     WaitUntilIdle(ticks);
-    viewer_.Show();  // which may ask for the image's depths
+    viewer_.Show();  // it may request the depths of the image
     WaitUntilIdle(ticks);
   }
   /// Returns all files read so far: scenes and images may be dropped and reloaded after the outputs were checked at the
