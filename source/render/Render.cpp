@@ -55,12 +55,14 @@ void TakeFilm(const Film& film, const RayCounts& rays, const RenderSettings& set
   }
 }
 
-/// Returns true if filters could bring an error below the target. One that is too large for that is not worth a look.
-bool MayDoDenoised(const MeasuredError& noisy, const ErrorTarget& target) {
+/// Returns true if filters could bring a squared error so many times below the target. An error that is too large for
+/// that is not worth a look.
+bool MayDoDenoised(const MeasuredError& noisy, const ErrorTarget& target, double caution) {
   // Of 15 scenes at 16 samples (script/denoise_table.sh) regression leaves at least .2 of the error, a library .14; the
   // more noise there is, the less they leave.
   constexpr double least_left = 0.125;
-  return least_left * least_left * noisy.square <= SquaredTarget(target.value, {.unit = target.unit}, noisy.mean);
+  return caution * least_left * least_left * noisy.square <=
+         SquaredTarget(target.value, {.unit = target.unit}, noisy.mean);
 }
 
 /// One render from its first sample to its image: runs the passes that its schedule chooses.
@@ -157,7 +159,7 @@ class Job {
     if (!denoiser_ || !settings_.budget.error || settings_.replay) return {};
     return [this](const MeasuredError& noisy, const UnseenLight& unseen) -> PassHistory::Look {
       if (denoiser_->HasFailed() || !time_.HasTimeToDenoise()) return {noisy};
-      if (!MayDoDenoised(noisy, *settings_.budget.error) || !time_.HasTimeToLook()) return {};
+      if (!MayDoDenoised(noisy, *settings_.budget.error, schedule_.Caution()) || !time_.HasTimeToLook()) return {};
       return {denoiser_->ErrorLeft(film_, unseen), denoiser_->WasStopped()};
     };
   }

@@ -22,7 +22,6 @@ constexpr double share_of_time_at_once = 0.6;         // of what is left, by a p
 constexpr double share_of_time_not_used = 0.01;       // is too little for another pass
 constexpr double seconds_without_news = 1;            // that the first sample of all pixels may take in one pass
 constexpr double fall_of_error = 0.75;                // error ~ samples^-this, for guessing how many are needed
-constexpr double fall_if_denoised = 0.5;              // of a denoised image
 // No block stops early where blocks that seem good enough may hold more than this share of the squared error: see
 // HidesAnywhere.
 constexpr double most_surprise = 0.05;
@@ -167,7 +166,7 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
 ///              these has a true error above the target; without that doubling more would, and some have
 bool Schedule::Suffices(const MeasuredError& error) const {
   if (!LooksAtError() || state_.end < std::min(ceiling_, first_that_may_do)) return false;
-  return (DecidesByError() ? 1 : 2) * error.square_high <= SquaredTargetOf(error);
+  return Caution() * error.square_high <= SquaredTargetOf(error);
 }
 
 /// Looks at so many places, or takes the first sample of all where those are as many.
@@ -234,18 +233,32 @@ void Schedule::ReplayTo(std::uint32_t end) {
 
 /// Twice as many, or fewer when the error is close to its target: a multiple of a large power of two, at which the
 /// sequences are well distributed. In between errors may even rise: of scenes/camera_motion.scn from .95 / 255 at 16
-/// samples of each stream to 1.10 at 19, before they fall to .76 at 24 and .54 at 32. If each look takes a filter,
-/// steps are longer, so that there are fewer.
+/// samples of each stream to 1.10 at 19, before they fall to .76 at 24 and .54 at 32.
 std::uint32_t Schedule::NextEnd(const MeasuredError* error) const {
   const std::uint32_t end = state_.end, twice = 2 * end;  // fits, since -samples is an int
   if (!error) return twice;
-  const double target = SquaredTargetOf(*error), fall = is_denoised_ ? fall_if_denoised : fall_of_error;
-  if (is_denoised_ && error->square > 4 * target && end < most_samples) return 2 * twice;
-  const double growth = R1::Pow(error->square_high / target, 0.5 / fall);
-  if (!(growth < (is_denoised_ ? 1.5 : 1.7))) return twice;
-  const std::uint32_t step = std::max(1u, std::bit_floor(end) / (is_denoised_ ? 2 : 4));
+  if (is_denoised_) return NextEndIfDenoised(*error);
+  const double growth = R1::Pow(error->square_high / SquaredTargetOf(*error), 0.5 / fall_of_error);
+  return growth < 1.7 ? RoundedUp(growth) : twice;
+}
+
+/// Returns so many times the samples so far, to the next quarter of a power of two.
+std::uint32_t Schedule::RoundedUp(double growth) const {
+  const std::uint32_t end = state_.end, step = std::max(1u, std::bit_floor(end) / 4);
   const auto wanted = std::max(end, static_cast<std::uint32_t>(growth * end));
-  return std::min(twice, (wanted / step + 1) * step);
+  return (wanted / step + 1) * step;
+}
+
+/// Looks at a denoised image take a filter each, so there are few: far from the target, the next is at half of the
+/// samples that are expected to do; close to it, at a little more than all of them.
+///   source   squared errors of denoised images fall as samples^-0.7 to samples^-1.3 in the scenes of
+///            script/time_to_error.sh
+std::uint32_t Schedule::NextEndIfDenoised(const MeasuredError& error) const {
+  constexpr double far = 4, farthest = 32, margin = 1.1, most_growth = 3;
+  const double target = SquaredTargetOf(error), ratio = error.square / target;
+  if (ratio >= far && state_.end < most_samples / farthest)
+    return state_.end * std::bit_floor(static_cast<std::uint32_t>(std::min(ratio, farthest) / 2));
+  return RoundedUp(std::min(most_growth, margin * error.square_high / target));
 }
 
 /// Targets where only blocks go on whose error is above the target, or a neighbor's is. One look may see a small error

@@ -78,6 +78,8 @@ class Schedule {
     const bool looks = replay_ ? replay_->looked_at_error : budget_.error.has_value();
     return looks && 2 * state_.end >= first_decision_;
   }
+  /// How many times a squared error must be below its target to end the render.
+  double Caution() const { return DecidesByError() ? 1 : 2; }
   /// Whether what is next depends on how neighboring pixels differ after the pass that runs.
   bool LooksAtContrast() const { return looks_at_neighbors_ && state_.end == 1; }
   /// Whether what is next depends on the whole picture after the pass that runs, or on the time it took.
@@ -104,6 +106,8 @@ class Schedule {
   std::optional<Stop> NextOfNeighbors(const PassOutcome& pass);
   double SecondsLeft(const PassOutcome& pass) const;
   std::uint32_t NextEnd(const MeasuredError* error) const;
+  std::uint32_t NextEndIfDenoised(const MeasuredError& error) const;
+  std::uint32_t RoundedUp(double growth) const;
   std::vector<std::uint32_t> ChooseBlocks(std::uint32_t end, const MeasuredError& error);
   bool IsOpen(std::size_t block, const std::vector<double>& squares, double limit) const;
   bool HidesAnywhere(const MeasuredError& error, const std::vector<double>& squares) const;

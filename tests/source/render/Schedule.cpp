@@ -527,17 +527,18 @@ TEST(Schedule, OfNeighborsIsOffForBudgetsAndCostModes) {
   EXPECT_EQ(Schedule(settings, Grid(), false).State().targets.samples, AllAt(9));
 }
 
-// Each look takes a filter, so there are few where the error is far from its target; close to it steps are long.
+// Each look takes a filter, so there are few: at half of the samples that a large error needs, and at a little more
+// than all of those that a small one needs.
 TEST(Schedule, DenoisedImagesAreLookedAtRarely) {
   RenderSettings settings = ToErrorOne();
   settings.denoise = true;
   Schedule schedule = Deciding(settings);
   ASSERT_FALSE(schedule.Next(Found(16)));
-  EXPECT_EQ(schedule.State().end, 32u);
+  EXPECT_EQ(schedule.State().end, 64u);
   ASSERT_FALSE(schedule.Next(Found(1.1)));
-  EXPECT_EQ(schedule.State().end, 48u);
-  ASSERT_FALSE(schedule.Next(Found(2)));
   EXPECT_EQ(schedule.State().end, 96u);
+  ASSERT_FALSE(schedule.Next(Found(2)));
+  EXPECT_EQ(schedule.State().end, 240u);
 }
 
 // Errors of filtered blocks are differences of squares; a checkpoint may not hold any below 0.
