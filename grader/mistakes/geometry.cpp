@@ -1,7 +1,5 @@
 #include "grader/mistakes/Tables.h"
 
-#include <cmath>
-
 #include "R3/Transform.h"
 #include "grader/Changes.h"
 
@@ -86,7 +84,7 @@ extern const MistakeTable geometry_mistakes{
            ChangeTransforms(v.OwnScene(), [](const R3::Matrix& matrix) {
              R3::Matrix unscaled = matrix;
              for (std::size_t j = 0; j < 3; ++j) {
-               const double length = std::hypot(matrix.m[0][j], matrix.m[1][j], matrix.m[2][j]);
+               const double length = Length(R3::Vector{matrix.m[0][j], matrix.m[1][j], matrix.m[2][j]});
                for (std::size_t i = 0; i < 3 && length > 0; ++i) unscaled.m[i][j] /= length;
              }
              return unscaled;

@@ -153,11 +153,13 @@ const grade::Mistake* MistakeNamed(std::string_view name) {
 }
 
 // Edges moved by half a pixel leave dark specks, which were taken for shadow acne.
-TEST(Mistakes, RaysThroughCornersAreNoAcne) {
+TEST(Mistakes, RaysThroughCornersAreNoAcneAndCostNothing) {
   OneScene scene("cs315", "shadows");
   const auto student = scene.Images().With({MistakeNamed("half_a_pixel")});
   const grade::SceneResult result = Judged(*student, scene.suite, scene.Images());
-  EXPECT_EQ(result.mistakes, "half_a_pixel") << result.headline;
+  EXPECT_EQ(result.outcome, grade::SceneResult::Outcome::right) << result.headline;
+  EXPECT_EQ(result.note, "half a pixel");
+  EXPECT_EQ(result.score, result.points);
 }
 
 TEST(Mistakes, DarkSpecksOnLitSurfacesAreAcne) {
