@@ -70,7 +70,10 @@ int ViewScene(const ViewerOptions& asked) {
 }
 
 int Run(const std::vector<std::string>& words) {
-  if (words.empty() && HasWindows()) return ViewScene({});  // a start page
+  if (words.empty() && HasWindows()) try {
+      return ViewScene({});  // a start page
+    } catch (const ContextError&) {  // without a display, what is missing is the scene
+    }
   ViewerOptions options = ReadCommandLine<ViewerOptions>(Program::rayview, words);
   if (!options.request) return ViewScene(options);
   options.keys = LinesOfHelp();
