@@ -83,7 +83,6 @@ AnswerTimes Answers(Viewer& viewer, Drawer& drawer, MotionDetail* detail) {
     FrameState shown = viewer.Show();
     if (detail) {
       shown.detail = detail->For(shown, 1e-3 * MillisecondsSince(Clock::time_point()));
-      if (shown.detail.is_sparse) shown.faces_in_motion = viewer.FacesInMotion();
     }
     const double to_draw = CpuMilliseconds(CLOCK_THREAD_CPUTIME_ID);
     drawer.Draw(shown);
