@@ -191,15 +191,7 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
 bool RenderJob::LookFirst(FirstLook& look, bool is_kept) {
   const int whole = IsSubsampled(settings_) ? settings_.places : BlockOrder::places;
   const int last = is_kept || settings_.samples > 1 ? whole : whole / 4;
-  // A look that the next would replace at once is left out.
-  const auto next = [&](int places) {
-    constexpr double soon = 0.1;  // seconds
-    const double seconds_per_place = Seconds() / places;
-    do places *= 4;
-    while (places < last && 4 * places * seconds_per_place < soon);
-    return std::min(places, last);
-  };
-  for (int places = std::min(first_places_, last);; places = next(places)) {
+  for (int places = std::min(first_places_, last);; places = std::min(4 * places, last)) {
     auto end = PassRunner::End::paused;
     while (end == PassRunner::End::paused) {
       end = look.Look(places, Clock::now() + time_between_images);
