@@ -1,6 +1,7 @@
 #include "source/view/ViewedScene.h"
 
 #include <chrono>
+#include <exception>
 #include <utility>
 
 #include "source/text/Words.h"
@@ -30,8 +31,14 @@ void ViewedScene::MakeFaces(const RenderSettings& settings) {
 bool ViewedScene::TakeFaces(bool waits) {
   if (!making_.valid()) return false;
   if (!waits && making_.wait_for(std::chrono::seconds{0}) != std::future_status::ready) return false;
-  auto faces = std::make_shared<const PreviewScene>(making_.get());
   notes_.clear();
+  std::shared_ptr<const PreviewScene> faces;
+  try {
+    faces = std::make_shared<const PreviewScene>(making_.get());
+  } catch (const std::exception& problem) {  // such as too little memory; the traced image may still be made
+    faces = std::make_shared<const PreviewScene>();
+    AddNote(std::string("there is no preview: ") + problem.what());
+  }
   if (faces->simplified > 0) AddNote(std::to_string(faces->simplified) + (faces->simplified == 1 ? " mesh" : " meshes") + " simplified");
   if (faces->as_boxes > 0)
     AddNote(Counted(static_cast<std::uint64_t>(faces->as_boxes), "primitive") + " shown as boxes");

@@ -333,11 +333,11 @@ std::vector<OptionKind> QualityOptions() {
        "stop when the upper bound of the estimated error is below this"},
       {"time", rayview, budget | changes_on_resume | ElsewhereCalled{"T", "timeout"},
        {}, {"t"}, WordOf<ReadDuration, ShowDuration>(AT(render.budget.seconds), duration_range),
-       "", "quality", "time limit of live rendering, from each start"},
+       "", "quality", "time limit of the image that a view at rest shows, from each start"},
       {"error", rayview, budget | ElsewhereCalled{"noise", "threshold"},
        {}, {"e"}, WordOf<ReadErrorTarget, ShowErrorTarget>(AT(render.budget.error),
         "an error above 0: 2 (255ths as displayed), 3% of the mean, 40dB or 0.01lin"), "", "quality",
-       "live rendering stops when the upper bound of the estimated error is below this"},
+       "the image of a view at rest stops when the upper bound of its estimated error is below this"},
       {"confidence", both, budget | Needs{needs::reported_error},
        {}, {"c"}, Number<double>{AT(render.budget.confidence), 0.5, 0.9999}, "", "quality",
        "confidence level of the interval around an estimated error"},
@@ -540,7 +540,7 @@ const Program Program::rayview{
     .summary = "view a scene, and ray trace the view",
     .description =
         "Shows a scene file in a window; key H there lists the keys and what the mouse does. Key S traces the view.\n"
-        "Scenes in .scn can be changed there, by the panel Edit of key Tab, and saved by Control+S.\n",
+        "Scenes in .scn can be changed there, by the panel Scene of key Tab, and saved by Control+S.\n",
     .examples =
         "  rayview scenes/hello.scn -image hello.png -samples 16\n"
         "  rayview scenes/hello.scn -headless -events tour.txt -screenshot end.png\n"

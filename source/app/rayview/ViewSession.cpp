@@ -98,6 +98,12 @@ ViewerSettings WithReference(ViewerSettings settings, const std::string& referen
   return settings;
 }
 
+/// Reads the rays of another tracer; nothing without a file. Throws SceneErrors.
+std::optional<ForeignRays> ForeignRaysOf(const std::string& file) {
+  if (file.empty()) return {};
+  return ReadForeignRays({file, Contents(file)});
+}
+
 /// Returns the initial panel settings; `theme` is one of panel_themes.
 PanelSettings FirstLook(PanelSettings habits, const std::string& theme) {
   if (theme != "off") habits.theme = theme == "light" ? PanelTheme::light : PanelTheme::dark;
@@ -109,7 +115,7 @@ ViewerSettings WithLook(ViewerSettings settings, const PanelSettings& look) {
   return settings;
 }
 
-/// Returns true if the option affects only live rendering.
+/// Returns true if the option affects only the image of a view at rest.
 bool IsOfBudget(const std::string& option) { return FindOption(Program::rayview, option)->facts.Has(Fact::budget); }
 
 /// Records events as a script that repeats them. Times between events are added up.
@@ -164,6 +170,7 @@ class Session : public ViewerHost {
         first_look_(FirstLook(LoadPanelHabits(habits_file_), options.view.panels)),
         viewer_(WithLook(WithReference(SettingsFor(options), options.view.reference), first_look_), std::move(scene),
                 *this),
+        foreign_(ForeignRaysOf(options.view.rays)),
         recorder_(outputs_.record),
         recent_(IsLookedAt(options.view) && options.view.record.empty() ? RecentScenesFile() : std::string()) {
     if (!options.files.scene.empty()) recent_.Add(options.files.scene);
@@ -178,7 +185,7 @@ class Session : public ViewerHost {
 
   int Run() {
     if (window_) Happen(ResizeEvent{window_->Width(), window_->Height(), window_->Scale()});
-    if (!options_.view.rays.empty()) ShowForeignRays(viewer_.state(), options_.view.rays);
+    if (foreign_) ShowForeignRays(viewer_.state(), options_.view.rays, *foreign_);
     if (!options_.view.events.empty())
       Follow(ReadScript(options_.view.events));
     else if (window_ && !options_.view.exit_immediately)
@@ -470,6 +477,7 @@ class Session : public ViewerHost {
   const std::string habits_file_;  // empty if there are none
   const PanelSettings first_look_;
   Viewer viewer_;
+  const std::optional<ForeignRays> foreign_;
   Recorder recorder_;
   StoppedRender stopped_;
   ray::RecentScenes recent_;

@@ -77,7 +77,8 @@ uniform float unit;
 uniform mat4 clip_from_drawing;
 void main() {
   float distance = texture(picture, uv).r / unit;
-  // A little behind, by the slope of the surface over a pixel, so that lines on it are seen.
+  // Behind by the slope of the surface over a pixel, but at outlines, where that is a jump, by 2% at most; and by 1e-3,
+  // 16 steps of a depth buffer of 24 bits whose nearest depth is 1e-3 of the farthest. So lines on a surface are seen.
   float behind = distance + min(fwidth(distance), 0.02 * distance) + 1e-3 * distance;
   vec4 clip = clip_from_drawing * vec4(eye + behind * normalize(direction), 1);
   gl_FragDepth = distance > 0.0 ? clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0) : 1.0;

@@ -57,8 +57,7 @@ void* FindInLibrary(const char* name) {
   if (!Library())
     throw DenoiserError(
         "Open Image Denoise is not installed: libOpenImageDenoise.so.2 (or .so.1) was not found (pip install pyoidn, "
-        "or "
-        "set LD_LIBRARY_PATH)");
+        "or set LD_LIBRARY_PATH)");
   return dlsym(Library(), name);
 }
 

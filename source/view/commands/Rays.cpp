@@ -78,18 +78,18 @@ void DebugPixelAt(ViewerState& viewer, const R2::Point& position) {
 }
 
 void ShowForeignRays(ViewerState& viewer, const std::string& file) {
-  ForeignRays foreign;
   try {
     const auto text = ReadSceneFile(file);
     if (!text) throw SceneErrors({ErrorIn(file, "the file cannot be read")});
-    foreign = ReadForeignRays({file, *text});
+    ShowForeignRays(viewer, file, ReadForeignRays({file, *text}));
   } catch (const std::exception& error) {
-    return TellProblems(viewer, file, error);
+    TellProblems(viewer, file, error);
   }
+}
+
+void ShowForeignRays(ViewerState& viewer, const std::string& file, ForeignRays foreign) {
   viewer.notices.RedrawLines();
-  RenderSettings settings = viewer.SettingsOfView();
-  settings.trace.sampler = SamplerKind::grid;  // through the middle of the pixel
-  settings.samples = 1;
+  const RenderSettings settings = viewer.SettingsOfView();
   const auto pixel = PixelOf(foreign, viewer.navigator.camera(), settings);
   const std::string count = Counted(foreign.rays.size(), "ray");
   viewer.rays.SetForeign(std::move(foreign.rays));

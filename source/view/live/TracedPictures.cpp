@@ -120,7 +120,7 @@ void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, con
   if (is_shown && !was_shown_) shown_since_ = Clock::now();
   was_shown_ = is_shown;
   if (!is_live_ || !is_due_) return;
-  const bool waits = moves_ && Moves();
+  const bool waits = Moves();
   if (waits && !TracesInMotion(settings)) {
     if (Live() && !Live()->HasEnded()) live_.Current()->Cancel();  // whoever draws gets the processor
     return;
@@ -151,7 +151,7 @@ void TracedPictures::ResumeLive() {
 }
 
 void TracedPictures::TraceDepths() {
-  if (!ShownLive() || ShownLive() != Live() || depths_of_ == live_number_) return;
+  if (Moves() || !ShownLive() || ShownLive() != Live() || depths_of_ == live_number_) return;
   depths_of_ = live_number_;
   RenderSettings settings = Live()->Settings();
   settings.mode = RenderMode::depth;

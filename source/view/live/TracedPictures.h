@@ -65,7 +65,7 @@ class TracedPictures {
   void ResumeLive();
 
   // Distances of what the live picture shows, so that lines in space are hidden behind it.
-  /// Starts them for the picture that is shown, unless there are some.
+  /// Starts them for the picture that is shown, unless there are some; a moving view goes without.
   void TraceDepths();
   /// Their job once it is complete; null before, and for another view.
   const RenderJob* Depths() const;

@@ -138,12 +138,6 @@ std::string Explained(const R3::Vector& direction, const std::vector<Mistake>& m
   return {};
 }
 
-std::optional<R3::Vector> Bent(const R3::Vector& d, const R3::Vector& n, double eta) {
-  const double cosine = -Dot(d, n), squared = 1 - eta * eta * (1 - cosine * cosine);
-  if (squared < 0) return {};
-  return eta * d + (eta * cosine - std::sqrt(squared)) * n;
-}
-
 /// Compares rays, starting from camera rays, with those of ours that they stand for.
 class Comparison {
  public:
@@ -266,31 +260,28 @@ class Comparison {
       mistakes.push_back({shading, "it is the normal"});
     } else {
       const double ir = from.hit ? world_.MaterialAt(*from.hit).ir : 1;
-      const R3::Vector mirrored = d - 2 * Dot(d, n) * n;
+      const double eta = Dot(geometric, d) < 0 ? 1 / ir : ir;  // of the side that the ray comes from over the other
+      const R3::Vector mirrored = Reflect(d, n);
       mistakes.push_back({-1.0 * mirrored, "it is the mirrored direction with the wrong sign"});
       mistakes.push_back({mirrored, "it is the mirrored direction"});
       const auto add = [&](const std::optional<R3::Vector>& direction, const char* text) {
         if (direction) mistakes.push_back({*direction, text});
       };
       if (ir > 0 && ir != 1) {
-        const R3::Vector ahead = a.kind == RayKind::transmission ? Unit(a.ray.direction) : R3::Vector{};
-        for (const double eta : {ir, 1 / ir}) {
-          const auto bent = Bent(d, n, eta);
-          const bool is_ours = bent && Degrees(*bent, ahead.x == 0 && ahead.y == 0 && ahead.z == 0 ? d : ahead) <= foreign_degrees;
-          add(bent, is_ours ? "it is the refracted direction" : "it equals refraction with eta inverted");
-          // The cosine of a normal that is not turned towards the ray is negative.
-          const double cosine = -Dot(d, -n), squared = 1 - eta * eta * (1 - cosine * cosine);
-          if (squared >= 0)
-            add(eta * d + (eta * cosine - std::sqrt(squared)) * -n, "the normal is not turned to the ray's side");
-        }
+        add(Refract(d, n, eta), "it is the refracted direction");
+        add(Refract(d, n, 1 / eta), "it equals refraction with eta inverted");
+        // Snell's law as it is usually written, with the cosine of a normal on the far side.
+        const double cosine = Dot(d, n), squared = 1 - eta * eta * (1 - cosine * cosine);
+        if (squared >= 0)
+          mistakes.push_back({eta * d + (eta * cosine - std::sqrt(squared)) * -n,
+                              "the normal is not turned to the ray's side"});
       }
       mistakes.push_back({d, "it goes straight on"});
-      mistakes.push_back({d - 2 * Dot(d, geometric) * geometric,
+      mistakes.push_back({Reflect(d, geometric),
                           "it is mirrored about the face's own normal instead of the interpolated one"});
       mistakes.push_back({n, "it is the normal"});
-      if (from.at) mistakes.push_back({from.at->position - R3::Point{}, "the position is used as the direction"});
-      const R3::Vector half = d - Dot(d, n) * n;
-      mistakes.push_back({half, "the factor 2 of the mirrored direction is missing"});
+      mistakes.push_back({from.at->position - R3::Point{}, "the position is used as the direction"});
+      mistakes.push_back({d - Dot(d, n) * n, "the factor 2 of the mirrored direction is missing"});
     }
     return RayDifference{foreign, ours, Differs(a, degrees) + Explained(b.ray.direction, mistakes)};
   }
@@ -387,6 +378,7 @@ std::optional<ForeignPixel> PixelOf(const ForeignRays& foreign, const Camera& ca
     return pixel->column < settings.width && pixel->row < settings.height ? pixel : std::nullopt;
   const auto first = std::ranges::find(foreign.rays, RayKind::camera, &ForeignRay::kind);
   if (first == foreign.rays.end()) return {};
+  if (!camera.IsPinhole()) return {};
   const DrawingSize size{settings.width, settings.height};
   const auto place = PixelOf(camera, camera.eye + (first->to - first->from), size);
   if (!place || !(place->x >= 0 && place->y >= 0 && place->x < size.width && place->y < size.height)) return {};

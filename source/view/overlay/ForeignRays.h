@@ -52,8 +52,8 @@ struct RayDifference {
 std::optional<RayDifference> FirstDifference(const PixelTrace& ours, const std::vector<ForeignRay>& foreign,
                                              const World& world, const RenderSettings& settings);
 
-/// The pixel that the rays are of: as the file says, or that which the first camera ray goes through. Nothing where that
-/// is not in the image.
+/// Returns the pixel of the rays: as the file says, or that which the first camera ray of a pinhole goes through. Nothing
+/// if that is not in the image.
 std::optional<ForeignPixel> PixelOf(const ForeignRays& foreign, const Camera& camera, const RenderSettings& settings);
 
 /// The same rays in the form of ours, each with the ray whose end it starts from, to be drawn like them.

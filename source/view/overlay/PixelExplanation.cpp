@@ -39,12 +39,18 @@ std::vector<Change> Changes(const TraceSettings& now) {
 std::string NameOf(const RecordedRay& ray, const World& world) {
   std::string name = "the " + std::string(ray_kind_names[static_cast<std::size_t>(ray.kind)]) + " ray";
   if (!ray.towards.empty()) return name + " to " + ray.towards.substr(0, ray.towards.find(' '));
-  if (!ray.hit) return name + " to the background";
-  const int line = static_cast<int>(world.Instances()[ray.hit->instance].node->location.line);
-  return name + (line > 0 ? " to line " + std::to_string(line) : "");
+  return name + " to " + (ray.hit ? HitBy(ray, world) : "the background");
 }
 
 }  // namespace
+
+std::string HitBy(const RecordedRay& ray, const World& world) {
+  if (!ray.hit) return {};
+  const Node& node = *world.Instances()[ray.hit->instance].node;
+  const auto recipe = node.shape->MadeFrom();
+  const std::string kind = recipe ? recipe->kind : node.operation ? "csg" : "mesh";
+  return kind + (node.location.line > 0 ? ", line " + std::to_string(node.location.line) : "");
+}
 
 std::vector<R2::Color> SubtreeLight(const PixelTrace& pixel) {
   std::vector<R2::Color> light;

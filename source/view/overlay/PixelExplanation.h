@@ -9,10 +9,13 @@
 
 namespace ray {
 
-/// The light that each ray of a pixel brings, with all rays that come from it.
+/// Returns what a ray hits, "sphere, line 16"; empty if it hits nothing.
+std::string HitBy(const RecordedRay& ray, const World& world);
+
+/// Returns the light that each ray of a pixel brings, with all rays that come from it.
 std::vector<R2::Color> SubtreeLight(const PixelTrace& pixel);
 
-/// What explains that a pixel differs from a reference.
+/// The explanation why a pixel differs from a reference.
 struct PixelExplanation {
   std::optional<std::size_t> ray;  // whose light makes the difference; nothing for a setting
   std::string text;

@@ -15,7 +15,14 @@ void RayInspector::TracePixel(const LoadedScene& scene, const RenderSettings& se
   ++trace_number_;
   pixel_ = PixelTracer(scene.world, *scene.accelerator, counts_.Thinned(settings))
                .Trace(column, row, counts_.SamplesOf(settings));
-  difference_ = foreign_.empty() ? std::nullopt : FirstDifference(*pixel_, foreign_, scene.world, settings);
+  difference_.reset();
+  if (foreign_.empty()) return;
+  RenderSettings through_middle = settings;
+  through_middle.trace.sampler = SamplerKind::grid;
+  through_middle.samples = 1;
+  difference_ =
+      FirstDifference(PixelTracer(scene.world, *scene.accelerator, through_middle).Trace(column, row, 1), foreign_,
+                      scene.world, through_middle);
 }
 
 void RayInspector::TraceAgain(const LoadedScene& scene) {

@@ -13,11 +13,20 @@ namespace {
 
 constexpr float bar_letters = 10;  // of the bar of what is done
 
-/// The text without its middle where that is longer.
+/// Returns a name of at most so many letters: a longer one without its middle.
+///   text   UTF-8
 std::string Shortened(const std::string& text, std::size_t most) {
-  if (text.size() <= most) return text;
-  const std::size_t kept = most - 2;
-  return text.substr(0, kept / 2) + ".." + text.substr(text.size() - (kept - kept / 2));
+  if (CountLetters(text) <= most) return text;
+  const auto continues = [&](std::size_t i) { return i < text.size() && (text[i] & 0xC0) == 0x80; };
+  const std::size_t half = (most - 2) / 2;  // letters on either side of two dots
+  std::size_t end = 0, begin = text.size();
+  for (std::size_t i = 0; i < half; ++i) {
+    do ++end;
+    while (continues(end));
+    do --begin;
+    while (begin > 0 && continues(begin));
+  }
+  return text.substr(0, end) + ".." + text.substr(begin);
 }
 
 std::string NameAndSize(const ViewerState& viewer) {

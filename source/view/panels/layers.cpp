@@ -13,7 +13,7 @@
 #include "source/view/commands/Commands.h"
 #include "source/view/panels/Panel.h"
 
-// What live rendering shows, as colors and as numbers.
+// The meaning of the colors of the traced image, and the number under the pointer.
 namespace ray {
 namespace {
 

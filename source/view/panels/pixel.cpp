@@ -19,17 +19,6 @@ namespace {
 
 constexpr int pixel_lines = 16;
 
-/// "sphere, line 16"; nothing for a ray that hits nothing.
-std::string HitBy(const RecordedRay& ray, const World& world) {
-  if (!ray.hit) return {};
-  const Node& node = *world.Instances()[ray.hit->instance].node;
-  const auto recipe = node.shape->MadeFrom();
-  return std::string(recipe           ? recipe->kind
-                     : node.operation ? "csg"
-                                      : "mesh") +
-         (node.location.line > 0 ? ", line " + std::to_string(node.location.line) : "");
-}
-
 std::string LengthOf(const RecordedRay& ray) {
   const auto end = ray.End();
   return end ? Brief(Length(*end - ray.ray.At(ray.ray.t_min))) : "endless";

@@ -109,12 +109,20 @@ class RandomUser {
  private:
   void Open() {
     std::ofstream(folder_ / "broken.scn") << "spere -1  0 0 0  1\n";
+    std::ofstream(folder_ / "including.scn") << "include hello.scn\ninclude glass.scn\n";
+    std::ofstream(folder_ / "mine.rays") << "pixel 3 4\ncamera 0 2 7  0 0 0\nshadow 0 0 0  1 5 2\n";
+    for (const char* scene : {"fisheye.scn", "csg.scn", "camera_motion.scn"})
+      std::filesystem::copy(project::Root() / "scenes" / scene, folder_ / scene);
     ViewerSettings settings;
-    settings.scene = folder_ / "hello.scn";
+    // Every fifth user begins with the start page, without a scene.
+    if (draw_.Whole(0, 4) > 0) settings.scene = folder_ / "hello.scn";
+    settings.shows_traced = draw_.Whole(0, 1) == 1;
     settings.render.width = settings.render.height = 48;
     settings.budget_of_rest = true;
-    viewer_ = std::make_unique<Viewer>(
-        settings, std::make_shared<const LoadedScene>(settings.scene, settings.parse, settings.accelerator), host_);
+    const auto scene = settings.scene.empty()
+                           ? std::make_shared<const LoadedScene>(ParsedScene{}, settings.accelerator)
+                           : std::make_shared<const LoadedScene>(settings.scene, settings.parse, settings.accelerator);
+    viewer_ = std::make_unique<Viewer>(settings, scene, host_);
   }
   void Do(const Event& event) {
     script_ += ScriptLine(event);
@@ -219,7 +227,9 @@ class RandomUser {
   }
 
   void DoWhatIsRare() {
-    constexpr std::array files{"hello.scn", "glass.scn", "empty.scn", "broken.scn", "nothing.scn", "meshes"};
+    constexpr std::array files{"hello.scn",    "glass.scn",   "empty.scn",  "broken.scn",
+                               "nothing.scn",  "meshes",      "fisheye.scn", "csg.scn",
+                               "camera_motion.scn", "including.scn", "mine.rays"};
     switch (draw_.Whole(0, 9)) {
       case 9:
       case 8:

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -187,6 +188,28 @@ TEST_P(Painter, DimsHiddenLinesAndLeavesThemOutWhenAskedTo) {
   EXPECT_EQ(at_middle(*behind, 0), (Rgba{0, 0, 255, 255}));
   EXPECT_EQ(at_middle(*behind, 0.2), (Rgba{51, 51, 255, 255}));
   EXPECT_EQ(at_middle(*behind, 1), white);
+}
+
+// Distances of a traced image hide lines as surfaces would; where nothing is hit they hide none.
+TEST_P(Painter, HidesLinesBehindTheDistancesOfAnImage) {
+  const auto clip = ray::Perspective({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, 1, 10);
+  const ray::PreviewView view{{0, 0, 0}, {{{-1, -1, 1}, {2, 0, 0}, {0, 2, 0}}}, {}};
+  const auto line = [](float depth) {
+    return ray::Lines{{{-9, 0, depth}, white}, {{9, 0, depth}, white}};
+  };
+  constexpr double unit = 2;  // of the drawing space
+  const auto at_middle = [&](float distance, float depth_of_line) {
+    painter->canvas.Begin(9, 9, {});
+    const auto distances = painter->pictures.Make(1, 1);
+    painter->pictures.Update(*distances, 0, 1, std::array{distance, distance, distance});
+    painter->pictures.DrawDepths(*distances, view, clip, unit);
+    painter->lists.Draw(*painter->lists.Upload(line(depth_of_line)), clip, 1, 0);
+    return PixelOf(painter->canvas.Read(), 4, 4);
+  };
+  EXPECT_EQ(at_middle(8, 3.9F), white) << "before the surface at 8 / 2";
+  EXPECT_EQ(at_middle(8, 4), white) << "on it";
+  EXPECT_EQ(at_middle(8, 4.1F), (Rgba{0, 0, 0, 255})) << "behind it";
+  EXPECT_EQ(at_middle(0, 9), white) << "nothing is hit";
 }
 
 TEST_P(Painter, ShowsLinesThatLieOnTriangles) {

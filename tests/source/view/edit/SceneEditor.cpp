@@ -287,6 +287,37 @@ TEST_F(EditorTest, RefusesIncludedFilesThatCannotBeWritten) {
   EXPECT_TRUE(Says("cannot be written")) << Message();
 }
 
+// A yes to one question was once taken for a yes to any.
+TEST_F(EditorTest, AQuestionBelongsToOneActionAndEndsWithAnother) {
+  Choose("cone");
+  Do("key =\nkey Control+R");
+  EXPECT_TRUE(Says("unsaved changes")) << Message();
+  Do("key PageDown");
+  EXPECT_TRUE(Says("unsaved changes")) << Message();
+  Do("key E\nkey PageDown");
+  EXPECT_TRUE(Says("unsaved changes")) << "another key came between: " << Message();
+  Do("tick 10\nkey PageDown");
+  EXPECT_TRUE(Says("unsaved changes")) << "it was no longer to be read: " << Message();
+  EXPECT_EQ(viewer_->state().settings.scene, scenes_ / "hello.scn");
+  Do("key PageDown");
+  EXPECT_NE(viewer_->state().settings.scene, scenes_ / "hello.scn") << "asked twice, one after the other";
+}
+
+TEST_F(EditorTest, AnIncludedFileThatChangedOnDiskIsReplacedAfterAsking) {
+  std::ofstream(scenes_ / "part.scn") << "sphere -1 0 0 0 1\n";
+  std::ofstream(file_) << "include part.scn\n";
+  Open(file_);
+  Choose("sphere");
+  Do("key =");
+  std::ofstream(scenes_ / "part.scn", std::ios::app) << "# touched\n";
+  Do("tick 1\nkey Control+S");
+  EXPECT_TRUE(Says("changed on the disk")) << Message();
+  EXPECT_NE(BytesOf(scenes_ / "part.scn").find("touched"), std::string::npos);
+  Do("key Control+S");
+  EXPECT_TRUE(Says("saved ")) << Message();
+  EXPECT_EQ(BytesOf(scenes_ / "part.scn").find("touched"), std::string::npos);
+}
+
 TEST_F(EditorTest, PageKeysGoThroughTheFolder) {
   Do("key PageDown");
   EXPECT_EQ(viewer_->state().settings.scene, scenes_ / "empty.scn") << "around the end";
