@@ -44,18 +44,18 @@ R2::Image MeanOfRuns(const std::vector<R2::Image>& runs) {
 
 }  // namespace
 
-Submission MakeSubmission(const std::vector<R2::Image>& runs, bool is_jpeg, const SceneImages& images) {
+Submission MakeSubmission(const std::vector<R2::Image>& runs, const R2::Image* compressed, const SceneImages& images) {
   Submission student{.image = MeanOfRuns(runs), .cells = {}, .tolerance = {}};
   student.cells = images.Cells(student.image);
   student.tolerance = NoiseOf(runs, student.image, images);
   for (double& each : student.tolerance) each += images.scene().tolerance;
   if (images.CellSide() == 1)
     for (std::size_t i = 0; i < student.tolerance.size(); ++i) student.tolerance[i] += images.Smoothing()[i];
-  if (!is_jpeg) return student;
-  const R2::Image reference = images.Cells(images.Reference()), compressed = images.Cells(AsJpeg(images.Reference()));
+  if (!compressed) return student;
+  const R2::Image reference = images.Cells(images.Reference()), lossy = images.Cells(*compressed);
   for (int y = 0; y < reference.Height(); ++y)
     for (int x = 0; x < reference.Width(); ++x)
-      student.tolerance[IndexOf(reference, x, y)] += LargestAround(reference, compressed, x, y);
+      student.tolerance[IndexOf(reference, x, y)] += LargestAround(reference, lossy, x, y);
   return student;
 }
 

@@ -29,7 +29,8 @@ struct Submission {
   std::vector<double> tolerance;  // of each cell: that of the suite, and what noise and compression may add
 };
 
-Submission MakeSubmission(const std::vector<R2::Image>& runs, bool is_jpeg, const SceneImages& images);
+///   compressed   the reference as a file that loses something gives it back; null for files that do not
+Submission MakeSubmission(const std::vector<R2::Image>& runs, const R2::Image* compressed, const SceneImages& images);
 
 Comparison Compare(const Submission& student, const SceneImages& images);
 ///   expected   SceneImages::Cells of an image in place of the reference

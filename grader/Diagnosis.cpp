@@ -213,7 +213,7 @@ class CauseSearch {
     SceneImages& images = *exhibits_[left.scene].images;
     const auto made = images.With({&mistake});
     if (!made) return false;
-    const Comparison changed = Compare(MakeSubmission({*made}, false, images), images);
+    const Comparison changed = Compare(MakeSubmission({*made}, nullptr, images), images);
     std::int64_t both = 0;
     for (std::size_t i = 0; i < left.differs.size(); ++i) both += left.differs[i] && changed.differs[i];
     return static_cast<double>(both) > enough * static_cast<double>(left.count);
@@ -285,7 +285,7 @@ class CauseSearch {
   }
   /// True if the images of a scene with these causes differ visibly.
   static bool Changes(SceneImages& images, const Hypothesis& a, const Hypothesis& b) {
-    const Submission student = MakeSubmission({ImageWith(images, a)}, false, images);
+    const Submission student = MakeSubmission({ImageWith(images, a)}, nullptr, images);
     return Compare(student, images.Cells(ImageWith(images, b)), images).Percent() > images.scene().allowed;
   }
   /// Leaves out causes that explain nothing.
@@ -385,7 +385,7 @@ Diagnosis Diagnose(std::span<const Exhibit> exhibits) { return CauseSearch(exhib
 double PercentChanged(SceneImages& images, const MistakeList& mistakes) {
   const auto made = images.With(mistakes);
   if (!made) return 0;
-  return Compare(MakeSubmission({*made}, false, images), images).Percent();
+  return Compare(MakeSubmission({*made}, nullptr, images), images).Percent();
 }
 
 bool IsVisible(SceneImages& images, const MistakeList& mistakes) {

@@ -5,6 +5,7 @@
 
 #include "R2/compare/Difference.h"
 #include "grader/Detectors.h"
+#include "grader/JpegTolerance.h"
 #include "source/text/NumberText.h"
 
 namespace ray::grade {
@@ -38,18 +39,6 @@ std::vector<std::string> HintsOf(const Hypothesis& causes) {
   }
   if (causes.tone) hints.push_back("Look here: " + causes.tone->hint);
   return hints;
-}
-
-R2::Image Decoded(const R2::Image& image, Encoding encoding) {
-  switch (encoding) {
-    case Encoding::linear:
-      return image;
-    case Encoding::srgb:
-      return DecodedFromSrgb(image);
-    case Encoding::power:
-      return DecodedFromPower(image);
-  }
-  return image;
 }
 
 /// True for rays through the corners of pixels, which is a convention as good as their middles and costs no points.
@@ -185,7 +174,10 @@ std::vector<Exhibit> ExhibitsOf(std::span<const HandedIn> handed_in, Encoding en
   for (const HandedIn& one : handed_in) {
     std::vector<R2::Image> runs;
     for (const R2::Image& run : one.runs) runs.push_back(Decoded(run, encoding));
-    exhibits.push_back(MakeExhibit(*one.images, MakeSubmission(runs, one.is_jpeg, *one.images)));
+    std::optional<R2::Image> compressed;  // the reference, by a program that encodes likewise
+    if (one.is_jpeg) compressed = Decoded(AsJpeg(Encoded(one.images->Reference(), encoding)), encoding);
+    exhibits.push_back(
+        MakeExhibit(*one.images, MakeSubmission(runs, compressed ? &*compressed : nullptr, *one.images)));
   }
   return exhibits;
 }

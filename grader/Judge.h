@@ -6,6 +6,7 @@
 #include "grader/Diagnosis.h"
 #include "grader/Results.h"
 #include "grader/Suite.h"
+#include "grader/Tone.h"
 
 namespace ray::grade {
 
@@ -16,10 +17,6 @@ struct HandedIn {
   bool is_jpeg = false;
   std::size_t scene = 0;  // its number in StudentResult::scenes
 };
-
-/// How a program encodes the values of its images. Neither is a mistake of tracing, so both are undone before images
-/// are compared.
-enum class Encoding { linear, srgb, power };
 
 /// Returns the encoding that makes most pixels right, if it is clear; else linear.
 Encoding EncodingOf(std::span<const HandedIn> handed_in);

@@ -136,9 +136,15 @@ std::vector<Tone> FittedTones(std::span<const TonePair> pairs) {
   return tones;
 }
 
-R2::Image DecodedFromSrgb(const R2::Image& image) { return EachChannel(image, R2::DecodeSrgb); }
+R2::Image Encoded(const R2::Image& image, Encoding encoding) {
+  if (encoding == Encoding::linear) return image;
+  if (encoding == Encoding::srgb) return EachChannel(image, [](double channel) { return R2::EncodeSrgb(channel); });
+  return EachChannel(image, [](double channel) { return R1::Pow(std::max(0.0, channel), 1 / 2.2); });
+}
 
-R2::Image DecodedFromPower(const R2::Image& image) {
+R2::Image Decoded(const R2::Image& image, Encoding encoding) {
+  if (encoding == Encoding::linear) return image;
+  if (encoding == Encoding::srgb) return EachChannel(image, [](double channel) { return R2::DecodeSrgb(channel); });
   return EachChannel(image, [](double channel) { return R1::Pow(std::max(0.0, channel), 2.2); });
 }
 

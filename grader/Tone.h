@@ -36,8 +36,9 @@ struct TonePair {
 /// The simple changes that fit best, each by least squares over all pairs together.
 std::vector<Tone> FittedTones(std::span<const TonePair> pairs);
 
-/// How a program may encode the bytes of its image, undone: both are common, neither is a mistake of tracing.
-R2::Image DecodedFromSrgb(const R2::Image& image);
-R2::Image DecodedFromPower(const R2::Image& image);  // of 2.2
+/// How a program may encode the bytes of its image: all are common, none is a mistake of tracing.
+enum class Encoding { linear, srgb, power };  // the last of 1 / 2.2
+R2::Image Encoded(const R2::Image& image, Encoding encoding);
+R2::Image Decoded(const R2::Image& image, Encoding encoding);
 
 }  // namespace ray::grade

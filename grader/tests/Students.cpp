@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "grader/JpegTolerance.h"
 #include "grader/Judge.h"
 #include "grader/raygrade/LoadScene.h"
 #include "grader/Grader.h"
@@ -110,7 +111,24 @@ class Stranger {
   bool is_built_ = false;
 };
 
-// Not here, since they still fail: JPEG of encoded images, and rays through the lower corners of pixels.
+// No mistake is named for what JPEG loses, however the image is encoded. Some points may be lost with it.
+TEST(Students, RightProgramsThatWriteJpegAreNotAccused) {
+  if (!Succeeds("cc --version")) GTEST_SKIP() << "there is no C compiler";
+  for (const char* course : {"cos426", "infogr"}) {
+    Stranger stranger(course);
+    ASSERT_TRUE(stranger.IsBuilt());
+    for (const char* encoding : {"", "srgb", "gamma22"}) {
+      auto handed_in = stranger.Images(encoding);
+      for (grade::HandedIn& one : handed_in) {
+        for (R2::Image& run : one.runs) run = grade::AsJpeg(run);
+        one.is_jpeg = true;
+      }
+      EXPECT_EQ(stranger.Judged(handed_in).verdict.mistakes, "") << course << " " << encoding;
+    }
+  }
+}
+
+// Rays through the lower corners of pixels are not here, since they lose points.
 TEST(Students, RightProgramsThatDifferLegallyAreRight) {
   if (!Succeeds("cc --version")) GTEST_SKIP() << "there is no C compiler";
   for (const char* course : {"cos426", "infogr"}) {

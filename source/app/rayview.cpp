@@ -71,7 +71,7 @@ int ViewScene(const ViewerOptions& asked) {
 
 int Run(const std::vector<std::string>& words) {
   if (words.empty() && HasWindows()) try {
-      return ViewScene({});  // a start page
+      return ViewScene({});          // a start page
     } catch (const ContextError&) {  // without a display, what is missing is the scene
     }
   ViewerOptions options = ReadCommandLine<ViewerOptions>(Program::rayview, words);

@@ -11,8 +11,8 @@
 #include "source/draw/FlatView.h"
 #include "source/draw/Frame.h"
 #include "source/draw/PanelDrawing.h"
-#include "source/draw/preview/PreviewView.h"
 #include "source/draw/preview/PreviewScene.h"
+#include "source/draw/preview/PreviewView.h"
 
 namespace ray {
 
@@ -36,7 +36,8 @@ struct FrameState {
     int rows = -1;                                               // shown, from the bottom; -1: all
     Exposure exposure;
     double opacity = 1;  // over the preview, in [0, 1]
-    /// The distances from the eye of what the picture shows, which hides lines behind it; without a frame it hides none.
+    /// The distances from the eye of what the picture shows, which hides lines behind it; without a frame it hides
+    /// none.
     struct Depths {
       const Frame* frame = nullptr;  // likewise; 0 where nothing is hit
       std::uint64_t number = 0;

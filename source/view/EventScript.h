@@ -53,7 +53,8 @@ struct ClickPanel {
 };
 struct PrintState {};
 
-using ScriptStep = std::variant<Event, Origin, WaitForTrace, WaitForImage, WaitForRows, WaitSeconds, Screenshot, ClickPanel, PrintState>;
+using ScriptStep = std::variant<Event, Origin, WaitForTrace, WaitForImage, WaitForRows, WaitSeconds, Screenshot,
+                                ClickPanel, PrintState>;
 
 /// Throws SceneErrors that point at each mistake.
 std::vector<ScriptStep> ReadEventScript(const Text& text);

@@ -19,7 +19,8 @@ void ViewedScene::Take(std::shared_ptr<const LoadedScene> scene) {
 
 void ViewedScene::MakeFaces(const RenderSettings& settings) {
   constexpr std::chrono::milliseconds moment{20};
-  std::erase_if(ending_, [](auto& faces) { return faces.wait_for(std::chrono::seconds{0}) == std::future_status::ready; });
+  std::erase_if(ending_,
+                [](auto& faces) { return faces.wait_for(std::chrono::seconds{0}) == std::future_status::ready; });
   if (making_.valid()) ending_.push_back(std::move(making_));
   making_ = std::async(std::launch::async, [scene = loaded_, settings, space = space_] {
     return PreviewOf(scene->world, settings, space);
@@ -39,7 +40,8 @@ bool ViewedScene::TakeFaces(bool waits) {
     faces = std::make_shared<const PreviewScene>();
     AddNote(std::string("there is no preview: ") + problem.what());
   }
-  if (faces->simplified > 0) AddNote(std::to_string(faces->simplified) + (faces->simplified == 1 ? " mesh" : " meshes") + " simplified");
+  if (faces->simplified > 0)
+    AddNote(std::to_string(faces->simplified) + (faces->simplified == 1 ? " mesh" : " meshes") + " simplified");
   if (faces->as_boxes > 0)
     AddNote(Counted(static_cast<std::uint64_t>(faces->as_boxes), "primitive") + " shown as boxes");
   if (faces->left_out > 0) AddNote(std::to_string(faces->left_out) + " not shown");

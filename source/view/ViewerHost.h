@@ -21,8 +21,8 @@ struct ViewerSettings {
   AcceleratorSettings accelerator;
   RenderSettings render;  // of traced pictures; their size is that of the drawing
   ReferenceImage reference;
-  bool shows_traced = false;    // from the start: what the view shows at rest is traced
-  bool budget_of_rest = false;  // no budget was asked for, see TracedPictures::Update
+  bool shows_traced = false;     // from the start: what the view shows at rest is traced
+  bool budget_of_rest = false;   // no budget was asked for, see TracedPictures::Update
   PanelSettings panels{};        // how they look when they are first shown
 };
 

@@ -110,7 +110,8 @@ PictureDrawer::PictureDrawer() : program_("pictures", vertex_shader, fragment_sh
   for (const auto how : {R2::Quantization::rounded, R2::Quantization::truncated})
     for (int byte = 0; byte < 256; ++byte)
       for (int srgb : {0, 1})
-        steps[static_cast<std::size_t>((2 * static_cast<int>(how) + srgb) * 256 + byte)] = FirstOf(byte, srgb == 1, how);
+        steps[static_cast<std::size_t>((2 * static_cast<int>(how) + srgb) * 256 + byte)] =
+            FirstOf(byte, srgb == 1, how);
   glBindTexture(GL_TEXTURE_2D, steps_.Name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 256, 4, 0, GL_RED, GL_FLOAT, steps.data());
   UseNearest();

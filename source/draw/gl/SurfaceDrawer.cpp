@@ -113,9 +113,8 @@ void DrawTriangles(const SurfaceBatch& batch) {
 void UploadTriangles(GpuSurfaces& uploaded, const Surfaces& surfaces) {
   uploaded.batches = surfaces.batches;
   // Batches that one program shades follow each other, so that programs are changed rarely.
-  std::ranges::stable_sort(uploaded.batches, {}, [](const SurfaceBatch& batch) {
-    return std::pair(batch.is_clear, Mirrors(batch));
-  });
+  std::ranges::stable_sort(uploaded.batches, {},
+                           [](const SurfaceBatch& batch) { return std::pair(batch.is_clear, Mirrors(batch)); });
   assert(std::ranges::all_of(surfaces.indices, [&](auto i) { return i < surfaces.vertices.size(); }));
   glBindVertexArray(uploaded.shaded.Name());  // indices belong to the array bound when they come
   const auto describe = [](const Buffer& buffer, const auto& list, GLuint location, GLint count, GLenum type,
@@ -310,8 +309,7 @@ void SurfaceDrawer::UseLights(const ShaderProgram& program, const GpuSurfaces& s
     const GpuLight at_eye = AsGpu({.color = {1, 1, 1}, .place = view.eye});
     glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(at_eye), &at_eye);
   }
-  glUniform1i(program["light_count"],
-              has_head_light ? 1 : static_cast<GLint>(surfaces.preview_lights.lights.size()));
+  glUniform1i(program["light_count"], has_head_light ? 1 : static_cast<GLint>(surfaces.preview_lights.lights.size()));
 }
 
 void SurfaceDrawer::Draw(GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const PreviewView& view,

@@ -131,7 +131,7 @@ PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings
 }
 
 ClipMatrix ShadowViewOf(const PreviewLight& light) {
-  constexpr double reach = 1.02;                         // of the scene from its middle, in its radii, and a little more
+  constexpr double reach = 1.02;  // of the scene from its middle, in its radii, and a little more
   constexpr double widest = 75 * std::numbers::pi / 180;  // from the middle of a view to its edge
   constexpr double nearest_of_farthest = 1e-3;            // with 24 bits of depth
   const auto as_vector = [](const std::array<float, 3>& v) { return R3::Vector{v[0], v[1], v[2]}; };

@@ -52,7 +52,8 @@ Detail DetailFor(const World& world, const PreviewBudget& budget) {
       ++shapes;
   }
   Detail detail;
-  const double each = static_cast<double>(budget.shape_triangles) / static_cast<double>(std::max<std::int64_t>(shapes, 1));
+  const double each =
+      static_cast<double>(budget.shape_triangles) / static_cast<double>(std::max<std::int64_t>(shapes, 1));
   const int fineness = std::min(finest, static_cast<int>(std::sqrt(each)));
   if (fineness >= coarsest) detail.fineness = fineness;
   if (triangles > budget.mesh_triangles)

@@ -6,7 +6,9 @@
 
 namespace ray {
 
-Bookmarks::Bookmarks(const std::string& scene) : file_(scene.empty() || scene == "-" ? "" : scene + ".views") { ReadAgain(); }
+Bookmarks::Bookmarks(const std::string& scene) : file_(scene.empty() || scene == "-" ? "" : scene + ".views") {
+  ReadAgain();
+}
 
 void Bookmarks::ReadAgain() {
   std::ifstream in(file_);

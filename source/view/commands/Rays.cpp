@@ -160,8 +160,8 @@ void SetDebugRays(ViewerState& viewer, const DebugRayCounts& counts) {
   viewer.section_pane.drawing.reset();
   viewer.notices.RedrawLines();
   viewer.notices.Tell(Counted(static_cast<std::uint64_t>(counts.camera), "camera ray") + " per pixel, " +
-                      Counted(static_cast<std::uint64_t>(counts.shadow), "shadow ray") + " per light; cut: " +
-                      Counted(static_cast<std::uint64_t>(counts.in_cut), "pixel"));
+                      Counted(static_cast<std::uint64_t>(counts.shadow), "shadow ray") +
+                      " per light; cut: " + Counted(static_cast<std::uint64_t>(counts.in_cut), "pixel"));
 }
 
 void ToggleSection(ViewerState& viewer) {

@@ -28,8 +28,7 @@ RenderSettings ForLive(RenderSettings settings, bool is_layer, bool budget_of_re
   if (!is_estimate) settings.budget = {};
   // A grid's samples are laid out for their number.
   const bool takes_more = is_estimate && !is_layer && !IsGrid(settings.trace.sampler);
-  if (budget_of_rest && takes_more && !settings.budget.IsOpen())
-    settings.samples = TracedPictures::samples_at_rest;
+  if (budget_of_rest && takes_more && !settings.budget.IsOpen()) settings.samples = TracedPictures::samples_at_rest;
   return settings;
 }
 

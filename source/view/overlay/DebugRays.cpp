@@ -124,8 +124,8 @@ Lines ForeignLines(const PixelTrace& foreign, const DrawingSpace& space, std::op
   for (const RecordedRay& ray : foreign.rays)
     AddLine(lines, space.At(StartOf(ray)), space.At(EndOf(ray, space.radius)), foreign_color);
   if (differs && *differs < foreign.rays.size())
-    Append(lines, CrossAt(EndOf(foreign.rays[*differs], space.radius), normal_length * space.radius, space,
-                          foreign_color));
+    Append(lines,
+           CrossAt(EndOf(foreign.rays[*differs], space.radius), normal_length * space.radius, space, foreign_color));
   return lines;
 }
 

@@ -19,10 +19,10 @@ namespace {
 
 std::optional<RayKind> KindNamed(std::string_view word) {
   static constexpr std::array<std::pair<std::string_view, RayKind>, 5> others{{{"primary", RayKind::camera},
-                                                                              {"light", RayKind::shadow},
-                                                                              {"reflected", RayKind::reflection},
-                                                                              {"refraction", RayKind::transmission},
-                                                                              {"transmitted", RayKind::transmission}}};
+                                                                               {"light", RayKind::shadow},
+                                                                               {"reflected", RayKind::reflection},
+                                                                               {"refraction", RayKind::transmission},
+                                                                               {"transmitted", RayKind::transmission}}};
   for (std::size_t i = 0; i < ray_kind_names.size(); ++i)
     if (word == ray_kind_names[i]) return static_cast<RayKind>(i);
   for (const auto& [name, kind] : others)
@@ -169,7 +169,8 @@ class Comparison {
         const auto match = Nearest(left, theirs);
         if (!match && theirs.kind == RayKind::shadow) continue;  // one that cannot matter, such as behind the surface
         if (!match)
-          return RayDifference{child, {}, Named(theirs) + ": ours sends no such ray from there" + WhyNone(pair.ours, theirs)};
+          return RayDifference{
+              child, {}, Named(theirs) + ": ours sends no such ray from there" + WhyNone(pair.ours, theirs)};
         if (auto found = CompareDirections(*match, child, pair.ours)) return found;
         std::erase(left, *match);
         pairs.push_back({*match, child});
@@ -218,8 +219,9 @@ class Comparison {
     };
     const double pixel = Degrees(through(ours_.column, ours_.row), through(ours_.column + 1, ours_.row + 1));
     if (camera.IsPinhole() && Length(b.ray.origin - camera.eye) > tolerance_)
-      return RayDifference{foreign, ours, "camera ray: it starts " + Rounded(Length(b.ray.origin - camera.eye), 3) +
-                                              " away from the eye"};
+      return RayDifference{
+          foreign, ours,
+          "camera ray: it starts " + Rounded(Length(b.ray.origin - camera.eye), 3) + " away from the eye"};
     const double degrees = Degrees(a.ray.direction, b.ray.direction);
     if (degrees <= pixel) return {};
     const double x = ours_.column + 0.5, y = ours_.row + 0.5;
@@ -273,12 +275,12 @@ class Comparison {
         // Snell's law as it is usually written, with the cosine of a normal on the far side.
         const double cosine = Dot(d, n), squared = 1 - eta * eta * (1 - cosine * cosine);
         if (squared >= 0)
-          mistakes.push_back({eta * d + (eta * cosine - std::sqrt(squared)) * -n,
-                              "the normal is not turned to the ray's side"});
+          mistakes.push_back(
+              {eta * d + (eta * cosine - std::sqrt(squared)) * -n, "the normal is not turned to the ray's side"});
       }
       mistakes.push_back({d, "it goes straight on"});
-      mistakes.push_back({Reflect(d, geometric),
-                          "it is mirrored about the face's own normal instead of the interpolated one"});
+      mistakes.push_back(
+          {Reflect(d, geometric), "it is mirrored about the face's own normal instead of the interpolated one"});
       mistakes.push_back({n, "it is the normal"});
       mistakes.push_back({from.at->position - R3::Point{}, "the position is used as the direction"});
       mistakes.push_back({d - Dot(d, n) * n, "the factor 2 of the mirrored direction is missing"});
@@ -289,15 +291,19 @@ class Comparison {
   std::optional<RayDifference> CompareEnds(std::size_t ours, std::size_t foreign) const {
     const RecordedRay &a = ours_.rays[ours], &b = foreign_.rays[foreign];
     const double theirs = Length(b.ray.direction);
-    if (b.kind != RayKind::camera && theirs <= tolerance_ && (!a.End() || Length(*a.End() - a.ray.origin) > 2 * tolerance_))
-      return RayDifference{foreign, ours, Named(a) + ": it ends where it starts, on the surface that it leaves; start it "
-                                                     "a little off the surface, or with a small least t"};
+    if (b.kind != RayKind::camera && theirs <= tolerance_ &&
+        (!a.End() || Length(*a.End() - a.ray.origin) > 2 * tolerance_))
+      return RayDifference{foreign, ours,
+                           Named(a) +
+                               ": it ends where it starts, on the surface that it leaves; start it "
+                               "a little off the surface, or with a small least t"};
     if (a.kind == RayKind::shadow) {
       const bool is_blocked = a.at.has_value();
       const double to_end = is_blocked ? Length(a.at->position - a.ray.origin) : 0;
       if (is_blocked && theirs > to_end + 2 * tolerance_)
-        return RayDifference{foreign, ours, Named(a) + ": ours is blocked after " + Rounded(to_end, 4) +
-                                                ", this one goes on to " + Rounded(theirs, 4)};
+        return RayDifference{
+            foreign, ours,
+            Named(a) + ": ours is blocked after " + Rounded(to_end, 4) + ", this one goes on to " + Rounded(theirs, 4)};
       return {};
     }
     const auto end = a.End();
@@ -305,9 +311,10 @@ class Comparison {
     const double length = Length(*end - a.ray.origin);
     // A place aside on a surface that is seen at a grazing angle may be farther away.
     if (std::abs(length - theirs) <= 2 * tolerance_ + 0.02 * length) return {};
-    return RayDifference{foreign, ours,
-                         Named(a) + ": it ends after " + Rounded(theirs, 4) + ", ours after " + Rounded(length, 4) +
-                             (theirs < length ? "; it hits something that is not there" : "; it misses what ours hits")};
+    return RayDifference{
+        foreign, ours,
+        Named(a) + ": it ends after " + Rounded(theirs, 4) + ", ours after " + Rounded(length, 4) +
+            (theirs < length ? "; it hits something that is not there" : "; it misses what ours hits")};
   }
 
   /// Why ours has no ray of that kind, if that is plain.

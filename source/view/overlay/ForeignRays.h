@@ -32,7 +32,8 @@ struct ForeignRays {
 /// Throws SceneErrors that point at each mistake.
 ForeignRays ReadForeignRays(const Text& text);
 
-/// Returns whether a file holds such rays, by its name: it ends with .rays, or with .obj where its first group is a kind.
+/// Returns whether a file holds such rays, by its name: it ends with .rays, or with .obj where its first group is a
+/// kind.
 bool IsForeignRays(const Text& text);
 
 /// The tolerances of FirstDifference.
@@ -52,8 +53,8 @@ struct RayDifference {
 std::optional<RayDifference> FirstDifference(const PixelTrace& ours, const std::vector<ForeignRay>& foreign,
                                              const World& world, const RenderSettings& settings);
 
-/// Returns the pixel of the rays: as the file says, or that which the first camera ray of a pinhole goes through. Nothing
-/// if that is not in the image.
+/// Returns the pixel of the rays: as the file says, or that which the first camera ray of a pinhole goes through.
+/// Nothing if that is not in the image.
 std::optional<ForeignPixel> PixelOf(const ForeignRays& foreign, const Camera& camera, const RenderSettings& settings);
 
 /// The same rays in the form of ours, each with the ray whose end it starts from, to be drawn like them.

@@ -32,7 +32,8 @@ std::vector<Change> Changes(const TraceSettings& now) {
                                : "the reference has total internal reflection",
        [](TraceSettings& trace) { trace.internal_reflection = !trace.internal_reflection; }}};
   if (now.max_depth > 0)
-    changes.push_back({"the reference has one bounce fewer than " + depth, [](TraceSettings& trace) { --trace.max_depth; }});
+    changes.push_back(
+        {"the reference has one bounce fewer than " + depth, [](TraceSettings& trace) { --trace.max_depth; }});
   return changes;
 }
 

@@ -20,9 +20,8 @@ void RayInspector::TracePixel(const LoadedScene& scene, const RenderSettings& se
   RenderSettings through_middle = settings;
   through_middle.trace.sampler = SamplerKind::grid;
   through_middle.samples = 1;
-  difference_ =
-      FirstDifference(PixelTracer(scene.world, *scene.accelerator, through_middle).Trace(column, row, 1), foreign_,
-                      scene.world, through_middle);
+  difference_ = FirstDifference(PixelTracer(scene.world, *scene.accelerator, through_middle).Trace(column, row, 1),
+                                foreign_, scene.world, through_middle);
 }
 
 void RayInspector::TraceAgain(const LoadedScene& scene) {

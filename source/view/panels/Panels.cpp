@@ -433,7 +433,8 @@ class ImGuiPanels : public Panels {
     const float wide = std::min(static_cast<float>(help_share) * left, static_cast<float>(Pixels(help_wide)));
     ImGui::SetNextWindowPos({std::floor((left - wide) / 2), std::floor(top)}, ImGuiCond_Always);
     // Below it a message has room.
-    ImGui::SetNextWindowSize({std::floor(wide), std::max(line, std::floor(all.y - 2 * line - top - bar))}, ImGuiCond_Always);
+    ImGui::SetNextWindowSize({std::floor(wide), std::max(line, std::floor(all.y - 2 * line - top - bar))},
+                             ImGuiCond_Always);
     ImGui::Begin("help", nullptr, fixed_window | ImGuiWindowFlags_NoResize);
     BeginText();
     help_.Draw(frame);

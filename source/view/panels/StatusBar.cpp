@@ -32,8 +32,8 @@ std::string Shortened(const std::string& text, std::size_t most) {
 std::string NameAndSize(const ViewerState& viewer) {
   constexpr std::size_t longest = 28;  // letters, so that the progress has room beside it
   return Shortened(std::filesystem::path(viewer.settings.scene).filename().string(), longest) +
-         (viewer.editor.HasUnsaved() ? "* " : " ") +
-         std::to_string(viewer.screen.size.width) + "x" + std::to_string(viewer.screen.size.height);
+         (viewer.editor.HasUnsaved() ? "* " : " ") + std::to_string(viewer.screen.size.width) + "x" +
+         std::to_string(viewer.screen.size.height);
 }
 
 /// "120 45  0.31 0.2 0.9": of the image that is rendered; empty where the pointer is not on it.

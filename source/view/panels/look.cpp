@@ -12,7 +12,8 @@ class LookPanel : public Panel {
   void Draw(PanelFrame& frame) override {
     const PanelSettings now = frame.viewer.panels->Look();
     const auto ask = [&](const PanelSettings& look) { frame.Ask([look](ViewerState& v) { SetPanelLook(v, look); }); };
-    for (const auto& [name, theme] : {std::pair{"dark theme", PanelTheme::dark}, std::pair{"light theme", PanelTheme::light}}) {
+    for (const auto& [name, theme] :
+         {std::pair{"dark theme", PanelTheme::dark}, std::pair{"light theme", PanelTheme::light}}) {
       if (frame.Word(name, now.theme == theme)) ask({theme, now.letters, now.width});
       if (theme == PanelTheme::dark) ImGui::SameLine();
     }

@@ -116,7 +116,8 @@ class PixelPanel : public Panel {
     R2::Color rest = pixel.Mean();
     for (const std::size_t ray : left_out_) {
       bool is_counted = false;  // with one that it comes from
-      for (int up = pixel.rays[ray].parent; up != RecordedRay::none; up = pixel.rays[static_cast<std::size_t>(up)].parent)
+      for (int up = pixel.rays[ray].parent; up != RecordedRay::none;
+           up = pixel.rays[static_cast<std::size_t>(up)].parent)
         is_counted |= left_out_.contains(static_cast<std::size_t>(up));
       if (!is_counted) rest = rest - contribution_[ray] / static_cast<double>(pixel.samples.size());
     }

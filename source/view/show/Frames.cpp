@@ -42,7 +42,8 @@ std::optional<FrameState::Picture> QuadInSpace(const ViewerState& viewer, const 
 /// The image that covers the view, live or flat; nothing where none does.
 std::optional<FrameState::Picture> CoveringPicture(const ViewerState& viewer) {
   FrameState::Picture picture;
-  picture.exposure = {R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb, viewer.settings.render.quantization};
+  picture.exposure = {R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb,
+                      viewer.settings.render.quantization};
   const bool is_traced = !viewer.pictures.IsLive() && viewer.pictures.Trace();
   picture.place = is_traced ? viewer.PlaceOf(*viewer.pictures.Trace()) : viewer.PlaceOfPicture();
   if (auto compared = viewer.pictures.Compared()) {
