@@ -165,7 +165,8 @@ class RandomUser {
     if (viewer_->state().shows.help) Do(KeyEvent{Key::escape, {}, true});
     if (!viewer_->state().shows.panels) Do(KeyEvent{Key::tab, {}, true});
     Do(ResizeEvent{400, 1600, 1});  // so that all of a panel is seen
-    if (!AnItem("material")) ClickItem("Scene");
+    if (!AnItem("Material")) ClickItem("Scene");
+    if (!AnItem("material")) ClickItem("Material");
     ClickItem("material");
     const std::size_t done = viewer_->state().editor.History().Done();
     if (const auto slider = AnItem("slide ")) {
@@ -286,7 +287,7 @@ TEST(RandomEvents, TenThousandOfThemDoNoHarm) {
   EXPECT_GE(edits, stories) << "scenes were hardly changed";
   EXPECT_GE(saves, stories / 2) << "and hardly saved";
   EXPECT_GE(crops, stories / 2);
-  EXPECT_GE(slides, stories / 8);
+  EXPECT_GE(slides, std::max(1, stories / 8));
 }
 
 }  // namespace
