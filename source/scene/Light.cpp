@@ -6,11 +6,13 @@
 
 namespace ray {
 
-void Light::IlluminateEach(LightSamples& samples) const {
-  for (std::uint32_t i = 0; i < samples.count; ++i) {
-    const LightSample sample = Illuminate(samples.from[i], samples.random[i]).value_or(LightSample{});
-    samples.Set(i, sample.to_light, sample.irradiance);
-  }
+std::optional<LightSample> Light::Illuminate(const R3::Point& p, const R2::Point& random) const {
+  LightSamples one;
+  one.count = 1;
+  one.from.Set(0, p), one.random.Set(0, random);
+  IlluminateEach(one);
+  if (R2::IsBlack(one.color[0])) return {};
+  return LightSample{one.color[0], one.to_light[0], Bound().is_infinite};
 }
 
 std::span<const LightKind* const> LightKinds() {

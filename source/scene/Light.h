@@ -42,14 +42,13 @@ class Light {
  public:
   virtual ~Light() = default;
 
-  /// Returns the light arriving at `p` from the point on the light that `random`, in [0, 1)^2, selects uniformly by
-  /// area (point-like lights ignore it). std::nullopt if the light does not shine there, or if p is exactly the
-  /// selected point.
-  virtual std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const = 0;
-  /// Illuminate for many points at once, with bit-identical results: computes the light at each sample's point from the
-  /// point on the light that its u and v select.
-  virtual void IlluminateEach(LightSamples& samples) const;
-  /// Returns false only if Illuminate returns std::nullopt or black for `p`, whatever `random` is.
+  /// Computes the light at each sample's point from the point on the light that its random numbers select uniformly by
+  /// area (point-like lights ignore them). Black if the light does not shine there, or if the two points are the same.
+  virtual void IlluminateEach(LightSamples& samples) const = 0;
+  /// Returns a batch of one: the light arriving at `p` from the point that `random`, in [0, 1)^2, selects; std::nullopt
+  /// if none arrives.
+  std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const;
+  /// Returns false only if no light arrives at `p` from any point of the light.
   virtual bool MayShineOn(const R3::Point& /*p*/) const { return true; }
 
   /// Returns true if the light has an area, so that several samples are worthwhile.

@@ -20,15 +20,6 @@ class AreaLight : public Light {
         radius_(radius),
         falloff_(falloff) {}
 
-  std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const override {
-    const R3::Vector to_light = ToPlace(R3::SampleUniformDiskConcentric(random), p);
-    const double distance = Length(to_light);
-    if (!(distance > 0)) return {};
-    const double cosine = Cosine(to_light / distance);
-    if (!(cosine > 0)) return {};  // it shines to one side only
-    return LightSample{cosine * falloff_(color_, distance), to_light};
-  }
-
   void IlluminateEach(LightSamples& samples) const override { ReachEach(samples); }
 
   /// Compares p with the plane of the disc. The cosine at a point differs from that of the plane by the rounding of
@@ -63,7 +54,7 @@ class AreaLight : public Light {
       const R3::Vector to_light = ToPlace(on_disc[i], samples.from[i]);
       const double distance = BranchlessLength(to_light), cosine = Cosine(to_light / distance);
       const R2::Color reaching = cosine * falloff_(color_, distance);
-      samples.Set(i, to_light, cosine > 0 ? reaching : R2::Color{});
+      samples.Set(i, to_light, cosine > 0 ? reaching : R2::Color{});  // it shines to one side only
     }
   }
   /// Returns the vector from p to a point given on the unit disc.

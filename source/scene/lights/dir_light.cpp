@@ -9,10 +9,6 @@ class DirLight : public Light {
   DirLight(const R2::Color& color, const R3::Vector& direction)
       : color_(color), given_direction_(direction), direction_(Unit(direction)) {}
 
-  std::optional<LightSample> Illuminate(const R3::Point&, const R2::Point&) const override {
-    return LightSample{color_, -direction_, true};
-  }
-
   void IlluminateEach(LightSamples& samples) const override {
     for (std::uint32_t i = 0; i < samples.count; ++i) samples.Set(i, -direction_, color_);
   }

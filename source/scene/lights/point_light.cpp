@@ -12,13 +12,6 @@ class PointLight : public Light {
   PointLight(const R2::Color& color, const R3::Point& place, const Falloff& falloff)
       : color_(color), place_(place), falloff_(falloff) {}
 
-  std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point&) const override {
-    const R3::Vector to_light = place_ - p;
-    const double distance = Length(to_light);
-    if (!(distance > 0)) return {};
-    return LightSample{falloff_(color_, distance), to_light};
-  }
-
   void IlluminateEach(LightSamples& samples) const override { ReachEach(samples); }
 
   LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }
@@ -37,8 +30,8 @@ class PointLight : public Light {
       const R3::Vector to_light = place_ - samples.from[i];
       samples.Set(i, to_light, falloff_(color_, BranchlessLength(to_light)));
     }
-    for (std::uint32_t i = 0; i < samples.count;
-         ++i) {  // none exactly at the light, in a loop without other branches
+    // None exactly at the light, in a loop without other branches.
+    for (std::uint32_t i = 0; i < samples.count; ++i) {
       const R2::Color reaching = samples.color[i];
       samples.color.Set(i, MaxComponent(Abs(samples.to_light[i])) > 0 ? reaching : R2::Color{});
     }

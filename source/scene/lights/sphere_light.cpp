@@ -15,23 +15,11 @@ class SphereLight : public Light {
   SphereLight(const R2::Color& color, const R3::Point& center, double radius, const Falloff& falloff)
       : color_(color), center_(center), radius_(radius), falloff_(falloff) {}
 
-  /// Samples a direction uniformly in the cone of solid angle W that the sphere subtends at p; it meets the sphere at
-  /// S. The light I0 spread over the whole sphere, 4 I0 cos / falloff from each share of its area, becomes
-  ///     I0 W d^2 / (pi r^2 falloff(d)),   d the distance to S,
-  /// which hardly varies over the cone.
-  std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point& random) const override {
-    const R3::Vector to_center = center_ - p;
-    const double D = Length(to_center);
-    if (!(D > radius_)) return {};  // it shines outward only
-    const double sine_squared = radius_ / D * (radius_ / D);
-    if (sine_squared == 0) return LightSample{falloff_(color_, D), to_center};
-    const double one_minus_cosine = sine_squared / (1 + std::sqrt(1 - sine_squared));
-    const R3::Vector direction = R3::FromTangents(R3::SampleUniformCone(random, one_minus_cosine), to_center / D);
-    const double aside = Length(Cross(to_center, direction)), ahead = Dot(to_center, direction);
-    const double distance = ahead - std::sqrt(std::max(0.0, (radius_ - aside) * (radius_ + aside)));
-    if (!(distance > 0)) return {};
-    const double relative = distance / radius_;
-    return LightSample{2 * one_minus_cosine * relative * relative * falloff_(color_, distance), distance * direction};
+  void IlluminateEach(LightSamples& samples) const override {
+    for (std::uint32_t i = 0; i < samples.count; ++i) {
+      const auto [to_light, reaching] = From(samples.from[i], samples.random[i]);
+      samples.Set(i, to_light, reaching);
+    }
   }
 
   bool MayShineOn(const R3::Point& p) const override { return Length(center_ - p) > radius_; }
@@ -49,6 +37,25 @@ class SphereLight : public Light {
   }
 
  private:
+  /// Samples a direction uniformly in the cone of solid angle W that the sphere subtends at p; it meets the sphere at
+  /// S. The light I0 spread over the whole sphere, 4 I0 cos / falloff from each share of its area, becomes
+  ///     I0 W d^2 / (pi r^2 falloff(d)),   d the distance to S,
+  /// which hardly varies over the cone.
+  std::pair<R3::Vector, R2::Color> From(const R3::Point& p, const R2::Point& random) const {
+    const R3::Vector to_center = center_ - p;
+    const double D = Length(to_center);
+    if (!(D > radius_)) return {};  // it shines outward only
+    const double sine_squared = radius_ / D * (radius_ / D);
+    if (sine_squared == 0) return {to_center, falloff_(color_, D)};
+    const double one_minus_cosine = sine_squared / (1 + std::sqrt(1 - sine_squared));
+    const R3::Vector direction = R3::FromTangents(R3::SampleUniformCone(random, one_minus_cosine), to_center / D);
+    const double aside = Length(Cross(to_center, direction)), ahead = Dot(to_center, direction);
+    const double distance = ahead - std::sqrt(std::max(0.0, (radius_ - aside) * (radius_ + aside)));
+    if (!(distance > 0)) return {};
+    const double relative = distance / radius_;
+    return {distance * direction, 2 * one_minus_cosine * relative * relative * falloff_(color_, distance)};
+  }
+
   R2::Color color_;
   R3::Point center_;
   double radius_;

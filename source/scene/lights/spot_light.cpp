@@ -22,14 +22,11 @@ class SpotLight : public Light {
         cut_off_cosine_(R1::Cos(cut_off)),
         exponent_(exponent) {}
 
-  std::optional<LightSample> Illuminate(const R3::Point& p, const R2::Point&) const override {
-    const R3::Vector to_light = place_ - p;
-    const double distance = Length(to_light);
-    if (!(distance > 0)) return {};
-    // Rounding may push the cosine above 1, and also that of a cut-off angle of 0, which lights the axis alone.
-    const double cosine = std::min(1.0, -Dot(direction_, Unit(to_light)));
-    if (!(cosine > 0 && cosine >= cut_off_cosine_)) return {};
-    return LightSample{R1::Pow(cosine, exponent_) * falloff_(color_, distance), to_light};
+  void IlluminateEach(LightSamples& samples) const override {
+    for (std::uint32_t i = 0; i < samples.count; ++i) {
+      const R3::Vector to_light = place_ - samples.from[i];
+      samples.Set(i, to_light, Reaching(to_light));
+    }
   }
 
   LightBound Bound() const override { return falloff_.BoundOf(color_, place_, 0); }
@@ -44,6 +41,15 @@ class SpotLight : public Light {
   }
 
  private:
+  R2::Color Reaching(const R3::Vector& to_light) const {
+    const double distance = Length(to_light);
+    if (!(distance > 0)) return {};
+    // Rounding may push the cosine above 1, and also that of a cut-off angle of 0, which lights the axis alone.
+    const double cosine = std::min(1.0, -Dot(direction_, Unit(to_light)));
+    if (!(cosine > 0 && cosine >= cut_off_cosine_)) return {};
+    return R1::Pow(cosine, exponent_) * falloff_(color_, distance);
+  }
+
   R2::Color color_;
   R3::Point place_;
   R3::Vector given_direction_;  // of any length
