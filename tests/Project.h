@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,17 +11,10 @@
 #include "source/accelerate/World.h"
 #include "source/parse/Parse.h"
 #include "source/render/Render.h"
+#include "tests/Folder.h"
 
-/// Where tests find things, and how they make pictures.
+/// Scenes of the project and their images.
 namespace project {
-
-inline std::filesystem::path Root() {
-  const char* root = std::getenv("RAYPRO_ROOT");
-  return root ? root : ".";
-}
-
-/// Public scenes that some checkouts have beside them; they may be absent.
-inline std::filesystem::path Shared() { return Root() / ".." / "shared"; }
 
 /// All .scn files directly in a folder, in order of name.
 inline std::vector<std::filesystem::path> Scenes(const std::filesystem::path& folder) {

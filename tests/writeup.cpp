@@ -2,15 +2,14 @@
 
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "R2/ImageFile.h"
+#include "tests/Folder.h"
 #include "tests/Project.h"
 #include "tests/source/view/Contrast.h"
 
@@ -22,13 +21,6 @@ struct Tag {
   std::string name;
   Attributes attributes;
 };
-
-std::string TextOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// The opening tags of a page as our own generator writes them: values in double quotes, no > within them.
 std::vector<Tag> TagsOf(const std::string& page) {
@@ -57,7 +49,7 @@ constexpr const char* pages[] = {"assignment3.html", "courses.html", "troublesho
 
 TEST(Writeup, EveryLinkAndPictureOfThePagesExists) {
   for (const std::string page : pages) {
-    const std::string text = TextOf(Writeup() / page);
+    const std::string text = project::BytesOf(Writeup() / page);
     ASSERT_FALSE(text.empty()) << page;
     std::set<std::string> ids;
     const auto tags = TagsOf(text);
@@ -83,7 +75,7 @@ TEST(Writeup, IdsAreUniqueAndImagesHaveAltTextAndSize) {
   for (const std::string page : pages) {
     std::set<std::string> ids;
     int images = 0;
-    for (const Tag& tag : TagsOf(TextOf(Writeup() / page))) {
+    for (const Tag& tag : TagsOf(project::BytesOf(Writeup() / page))) {
       if (tag.attributes.contains("id")) {
         EXPECT_TRUE(ids.insert(tag.attributes.at("id")).second) << page << ": " << tag.attributes.at("id");
       }
@@ -94,7 +86,7 @@ TEST(Writeup, IdsAreUniqueAndImagesHaveAltTextAndSize) {
       ASSERT_TRUE(tag.attributes.contains("width") && tag.attributes.contains("height")) << page << ": " << src;
       if (src.ends_with(".svg")) continue;
       // A browser keeps the room that the page says; a wrong proportion would squeeze the picture.
-      const std::string bytes = TextOf(Writeup() / src);
+      const std::string bytes = project::BytesOf(Writeup() / src);
       const auto size = R2::ReadImageSize({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
       const int width = std::stoi(tag.attributes.at("width")), height = std::stoi(tag.attributes.at("height"));
       EXPECT_EQ(width * size.height, height * size.width) << page << ": " << src;
@@ -104,7 +96,7 @@ TEST(Writeup, IdsAreUniqueAndImagesHaveAltTextAndSize) {
 }
 
 TEST(Writeup, StoredImagesAreListedAndSmallAltogether) {
-  const std::string table = TextOf(project::Root() / "script" / "pictures.txt");
+  const std::string table = project::BytesOf(project::Root() / "script" / "pictures.txt");
   std::uintmax_t bytes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(Writeup() / "pictures")) {
     bytes += entry.file_size();
@@ -128,7 +120,7 @@ ray::contrast::Color ColorNamed(const std::string& theme, const std::string& nam
 }
 
 TEST(Writeup, LettersAreReadInTheLightAndInTheDark) {
-  const std::string style = TextOf(Writeup() / "style.css");
+  const std::string style = project::BytesOf(Writeup() / "style.css");
   const std::size_t light = style.find(":root {"), dark = style.find(":root {", light + 1);
   ASSERT_NE(dark, std::string::npos);
   for (const std::size_t at : {light, dark}) {

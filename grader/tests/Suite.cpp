@@ -14,12 +14,7 @@ struct SuiteFolder : TemporaryFolder {
 };
 
 std::string MessageOf(const std::string& file) {
-  try {
-    grade::ReadSuite(file);
-  } catch (const SceneErrors& errors) {
-    return errors.what();
-  }
-  return {};
+  return project::MessageOf<SceneErrors>([&] { grade::ReadSuite(file); });
 }
 
 TEST(Suite, ScenesTakeWhatStandsBeforeThem) {

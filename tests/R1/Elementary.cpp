@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/Draw.h"
+#include "tests/Folder.h"
 #include "tests/Project.h"
 #include "tests/Quad.h"
 
@@ -274,12 +275,11 @@ int StatusOf(const std::string& script, const std::string& arguments) {
 
 TEST(Elementary, CallsOfTheCLibraryAreDetected) {
   EXPECT_EQ(StatusOf("check_functions.sh", ""), 0) << "see make check";
-  std::string name = (std::filesystem::temp_directory_path() / "raypro-functions-XXXXXX").string();
-  const std::filesystem::path tree = mkdtemp(name.data());
+  const project::Folder tree;
   for (const char* folder : {"R1", "R2", "R3", "source", "grader", "page"}) std::filesystem::create_directory(tree / folder);
   const auto status_with = [&](const std::string& line) {
     std::ofstream(tree / "source/a.cpp") << line << '\n';
-    return StatusOf("check_functions.sh", "'" + tree.string() + "'");
+    return StatusOf("check_functions.sh", "'" + tree.Path().string() + "'");
   };
   for (const char* refused :
        {"x = std::sin(x);", "return powf(x, 2);", "y = 2 * ::exp (x);", "int s; lgamma_r(x, &s);"})
@@ -287,7 +287,6 @@ TEST(Elementary, CallsOfTheCLibraryAreDetected) {
   for (const char* passes :
        {"// as std::sin(x)", "f(\"exp(-r d)\");", "x = std::sqrt(y);", "a.log(x); b->log(x); Exp(x);"})
     EXPECT_EQ(status_with(passes), 0) << passes;
-  std::filesystem::remove_all(tree);
 }
 
 TEST(Elementary, TheCoefficientsAreThoseThatTheScriptDerives) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "R2/ImageFile.h"
+#include "tests/Folder.h"
 
 /// Image files as bytes, for the tests of every format.
 namespace R2 {
@@ -26,12 +27,7 @@ inline const ImageFormat& Format(const std::string& name) {
 
 /// Returns the error message of DecodeImage; empty if there is none.
 inline std::string Complaint(const Bytes& bytes) {
-  try {
-    DecodeImage(bytes);
-  } catch (const ImageError& error) {
-    return error.what();
-  }
-  return "";
+  return project::MessageOf<ImageError>([&] { DecodeImage(bytes); });
 }
 
 /// Makes an image that is smooth, so that JPEG stays close; brighter upwards, redder to the right.

@@ -71,22 +71,22 @@ std::size_t CheckReports(const std::filesystem::path& folder, const std::string&
 }
 
 TEST(BadScenes, EachIsReportedAsItsFirstCommentSays) {
-  EXPECT_GE(CheckReports(ProjectRoot() / "tests/bad_scenes", ".scn"), 100u);
+  EXPECT_GE(CheckReports(project::Root() / "tests/bad_scenes", ".scn"), 100u);
 }
 
 #ifdef RAYPRO_YAML
 TEST(BadScenes, EachInYamlIsReportedWordForWord) {
-  EXPECT_GE(CheckReports(ProjectRoot() / "tests/bad_scenes/yaml", ".yaml"), 50u);
+  EXPECT_GE(CheckReports(project::Root() / "tests/bad_scenes/yaml", ".yaml"), 50u);
 }
 #endif
 
 TEST(BadScenes, EachInJsonIsReportedWordForWord) {
-  EXPECT_GE(CheckReports(ProjectRoot() / "tests/bad_scenes/json", ".json"), 40u);
+  EXPECT_GE(CheckReports(project::Root() / "tests/bad_scenes/json", ".json"), 40u);
 }
 
 TEST(BadScenes, EveryCommandIsTheSubjectOfOne) {
   std::string all;
-  for (const auto& entry : std::filesystem::directory_iterator(ProjectRoot() / "tests/bad_scenes"))
+  for (const auto& entry : std::filesystem::directory_iterator(project::Root() / "tests/bad_scenes"))
     if (entry.path().extension() == ".scn") all += "\n" + entry.path().filename().string();
   for (const std::string_view command :
        {"material", "begin", "end", "include", "camera", "background", "ambient", "mesh", "line", "tri", "box",

@@ -7,11 +7,6 @@
 namespace ray {
 namespace {
 
-std::string TextOfFile(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::string WithoutFolder(std::string report, const std::string& folder) {
   for (std::size_t i; (i = report.find(folder)) != std::string::npos;) report.erase(i, folder.size());
   return report;
@@ -30,7 +25,7 @@ std::string ReportOfComp30019(const std::filesystem::path& scene) {
 std::vector<std::filesystem::path> BadScenesOfComp30019() {
   std::vector<std::filesystem::path> scenes;
   for (const auto& entry :
-       std::filesystem::directory_iterator((ProjectRoot() / "tests/bad_scenes/txt").lexically_normal()))
+       std::filesystem::directory_iterator((project::Root() / "tests/bad_scenes/txt").lexically_normal()))
     if (entry.path().extension() == ".txt") scenes.push_back(entry.path());
   return scenes;
 }
@@ -39,7 +34,7 @@ TEST(Comp30019BadScenes, EachIsReportedAsTheFileBesideItSays) {
   const auto scenes = BadScenesOfComp30019();
   for (const auto& scene : scenes) {
     auto expected = scene;
-    EXPECT_EQ(ReportOfComp30019(scene), TextOfFile(expected.replace_extension(".report"))) << scene;
+    EXPECT_EQ(ReportOfComp30019(scene), project::BytesOf(expected.replace_extension(".report"))) << scene;
   }
   EXPECT_GE(scenes.size(), 55u);
 }

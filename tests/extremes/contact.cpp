@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <filesystem>
-
 #include "source/integrate/shading/ShadingPoint.h"
 #include "tests/Accelerators.h"
 #include "tests/Project.h"
@@ -16,18 +13,9 @@ namespace {
 
 /// A scene with the files that it names, in a folder of its own.
 Scene FromFiles(const std::string& text, const std::vector<std::pair<std::string, std::string>>& files) {
-  const auto folder = std::filesystem::temp_directory_path() / ("raypro-contact-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
-  const auto write = [&](const std::string& name, const std::string& content) {
-    FILE* out = std::fopen((folder / name).c_str(), "wb");
-    std::fwrite(content.data(), 1, content.size(), out);
-    std::fclose(out);
-  };
-  for (const auto& [name, content] : files) write(name, content);
-  write("scene.scn", text);
-  Scene scene = Parse(folder / "scene.scn", {}).scene;
-  std::filesystem::remove_all(folder);
-  return scene;
+  const project::Folder folder;
+  for (const auto& [name, content] : files) folder.Write(name, content);
+  return Parse(folder.Write("scene.scn", text), {}).scene;
 }
 
 /// Where rooms stand: as they are, turned, of any size, far away.

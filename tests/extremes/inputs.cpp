@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "R3/Mesh.h"
@@ -25,12 +24,7 @@ ParsedScene ParsedFrom(const TemporaryFolder& folder, const std::string& text) {
 }
 
 std::string ErrorOf(const TemporaryFolder& folder, const std::string& text) {
-  try {
-    ParsedFrom(folder, text);
-    return {};
-  } catch (const SceneErrors& errors) {
-    return errors.what();
-  }
+  return project::MessageOf<SceneErrors>([&] { ParsedFrom(folder, text); });
 }
 
 TEST(Extremes, A5_ASqueezeIsSilentThenWarnedOfThenLeftOut) {

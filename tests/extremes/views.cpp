@@ -216,12 +216,8 @@ TEST(Extremes, B9_TheNearerOfTwoParallelSquaresIsHit) {
 
 /// Why a scene is refused for its settings; empty where it is not.
 std::string RefusalOf(const std::string& scene) {
-  try {
-    ray::WithSettingsOf(project::FromText(scene), ray::RenderOptions());
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
+  return project::MessageOf<std::exception>(
+      [&] { ray::WithSettingsOf(project::FromText(scene), ray::RenderOptions()); });
 }
 
 TEST(Extremes, G11_LensesGiveFiniteImagesOrAreRefused) {

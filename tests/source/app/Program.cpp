@@ -95,29 +95,13 @@ bool Catches(pid_t process, int signal) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "raytests-XXXXXX").string();
-  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder can be made");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 std::vector<std::string> TemporaryFolder::Others(const std::vector<std::string>& known) const {
   std::vector<std::string> others;
-  for (const auto& entry : fs::directory_iterator(path_)) {
+  for (const auto& entry : fs::directory_iterator(Path())) {
     const std::string name = entry.path().filename().string();
     if (std::ranges::find(known, name) == known.end()) others.push_back(name);
   }
   return others;
-}
-
-std::string ReadFile(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 std::string WriteFile(const std::string& file, const std::string& content) {

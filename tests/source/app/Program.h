@@ -9,32 +9,24 @@
 #include <vector>
 
 #include "R2/ImageFile.h"
+#include "tests/Folder.h"
 #include "tests/Sanitizers.h"
 
 /// Runs the real programs, which the environment variables RAYPRO, RAYIMG and RAYVIEW name, and examines the files that
 /// they leave behind.
 namespace ray::testing {
 
-/// A test's own folder, removed with the object.
-class TemporaryFolder {
+/// A folder whose files have names for command lines.
+class TemporaryFolder : public project::Folder {
  public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& Path() const { return path_; }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::string operator/(const std::string& name) const { return (Path() / name).string(); }
   /// Returns the names of all files in it that are not in `known`.
   std::vector<std::string> Others(const std::vector<std::string>& known) const;
-
- private:
-  std::filesystem::path path_;
 };
 
 inline bool Has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-std::string ReadFile(const std::string& file);
+inline std::string ReadFile(const std::string& file) { return project::BytesOf(file); }
 /// Writes a file and returns its name.
 std::string WriteFile(const std::string& file, const std::string& content);
 R2::DecodedImage Decode(const std::string& file);

@@ -14,6 +14,7 @@
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Preset.h"
 #include "source/app/options/RenderChecks.h"
+#include "tests/Folder.h"
 #include "tests/source/app/Place.h"
 
 namespace ray {
@@ -34,13 +35,10 @@ using testing::WriteFile;
 RenderOptions Parsed(const List& more) { return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more)); }
 
 std::string ErrorOf(const List& more) {
-  try {
+  return project::MessageOf<UsageError>([&] {
     RenderOptions options = Parsed(more);
     CompleteForScene(options);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(TradeWords, AFilterHasANameAndTheCoursesNumber) {

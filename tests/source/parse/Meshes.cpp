@@ -5,8 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include "source/parse/meshes/MeshFormat.h"
 #include "tests/Project.h"
@@ -414,12 +412,11 @@ TEST(Extremes, K10_TenMebibytesOfAwkwardFacesTakeAtMostTenSeconds) {
 }
 
 TEST(Meshes, AQuarterMillionTrianglesAreReadWithinTwoSeconds) {
-  const std::filesystem::path file = ProjectRoot() / "../shared/meshes/igea.ply";
+  const std::filesystem::path file = project::Root() / "../shared/meshes/igea.ply";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no mesh at " << file;
-  std::ostringstream bytes;
-  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  std::string bytes = project::BytesOf(file);
   const auto start = std::chrono::steady_clock::now();
-  const auto read = Read("igea.ply", bytes.str());
+  const auto read = Read("igea.ply", std::move(bytes));
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 2 * patience);
   EXPECT_EQ(read.data.positions.size(), 134345u);
   EXPECT_EQ(read.data.triangles.size(), 268686u);

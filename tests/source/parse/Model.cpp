@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 #include "R3/Mesh.h"
@@ -18,16 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string BytesOf(const fs::path& file) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(file, std::ios::binary).rdbuf();
-  return bytes.str();
-}
+using project::BytesOf;
 
 /// A folder with copies of the models, for scenes that use them.
 struct Models : Folder {
   Models() {
-    const fs::path from = ProjectRoot() / "tests/source/parse/models";
+    const fs::path from = project::Root() / "tests/source/parse/models";
     for (const auto& entry : fs::recursive_directory_iterator(from))
       if (entry.is_regular_file()) Write(entry.path().lexically_relative(from).string(), BytesOf(entry.path()));
   }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "tests/Project.h"
 #include "tests/source/parse/Folder.h"
@@ -32,10 +31,10 @@ R2::Image ImageFrom(const Folder& folder, const std::string& text) {
 }
 
 TEST(Recipes, EachIsReadAndChangesTheImage) {
-  const std::vector<std::string> blocks = Blocks(ProjectRoot() / "docs/recipes.md");
+  const std::vector<std::string> blocks = Blocks(project::Root() / "docs/recipes.md");
   ASSERT_GE(blocks.size(), 8u);
   const Folder folder;
-  std::filesystem::copy(ProjectRoot() / "scenes/textures", folder / "textures");
+  std::filesystem::copy(project::Root() / "scenes/textures", folder / "textures");
   const R2::Image base = ImageFrom(folder, blocks[0]);
   for (std::size_t i = 1; i < blocks.size(); ++i) {
     const R2::Image image = ImageFrom(folder, blocks[0] + blocks[i]);

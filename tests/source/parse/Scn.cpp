@@ -432,7 +432,7 @@ TEST(Scn, TheFirstDefinitionOfAVariableCounts) {
 }
 
 TEST(Scn, TheScenesOfTheCourseAreReadWithoutAnError) {
-  const std::filesystem::path scenes = ProjectRoot() / "../shared/scenes-cos426";
+  const std::filesystem::path scenes = project::Root() / "../shared/scenes-cos426";
   if (!std::filesystem::exists(scenes)) GTEST_SKIP() << "no course scenes at " << scenes;
   int count = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(scenes)) {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
-#include <string>
 
 #include "tests/Project.h"
 
@@ -12,18 +10,14 @@ namespace ray {
 class CopiedScenes {
  public:
   CopiedScenes() {
-    std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
     for (const char* part : {"hello.scn", "glass.scn", "empty.scn", "meshes", "textures"})
       std::filesystem::copy(project::Root() / "scenes" / part, folder_ / part,
                             std::filesystem::copy_options::recursive);
   }
-  ~CopiedScenes() { std::filesystem::remove_all(folder_); }
-  CopiedScenes(const CopiedScenes&) = delete;
   std::filesystem::path operator/(const char* name) const { return folder_ / name; }
 
  private:
-  std::filesystem::path folder_;
+  project::Folder folder_;
 };
 
 }  // namespace ray

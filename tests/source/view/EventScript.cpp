@@ -1,4 +1,5 @@
 #include "source/view/EventScript.h"
+#include "tests/Folder.h"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +16,7 @@ std::string Written(const std::vector<ScriptStep>& steps) {
 }
 
 std::string Complaint(const std::string& text) {
-  try {
-    Read(text);
-  } catch (const SceneErrors& errors) {
-    return errors.what();
-  }
-  return "no complaint";
+  return project::MessageOf<SceneErrors>([&] { Read(text); });
 }
 
 TEST(EventScript, WhatIsWrittenReadsBackAsTheSame) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "source/view/commands/Commands.h"
 #include "tests/source/view/ScriptedViewer.h"
@@ -146,10 +145,9 @@ TEST_F(ViewerTest, ViewsGoBackAndForth) {
 }
 
 TEST_F(ViewerTest, EditedScenesAreReloadedUnlessBroken) {
-  std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
-  const std::filesystem::path folder = mkdtemp(name.data());
+  const project::Folder folder;
   const auto scene = folder / "scene.scn";
-  const auto write = [&](const std::string& text) { std::ofstream(scene) << text; };
+  const auto write = [&](const std::string& text) { folder.Write("scene.scn", text); };
   write("sphere -1  0 0 0  1\n");
   Open(scene);
   Do("drag left 10 10 30 30");
@@ -166,21 +164,17 @@ TEST_F(ViewerTest, EditedScenesAreReloadedUnlessBroken) {
   write("sphere -1  0 0 0  2\n");
   Do("tick 1");
   EXPECT_EQ(viewer_->scene().world.Instances().size(), 1u);
-  std::filesystem::remove_all(folder);
 }
 
 /// A scene of its own that is written again and again.
 class SceneOnDisk : public ViewerTest {
  protected:
   void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "rayview-test-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
     Write("sphere -1  0 0 0  1\n");
     Open(File());
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   std::filesystem::path File() const { return folder_ / "scene.scn"; }
-  void Write(const std::string& text) const { std::ofstream(File()) << text; }
+  void Write(const std::string& text) const { folder_.Write("scene.scn", text); }
   bool IsSeen(const std::string& words) const {
     std::string all;
     for (const Label& label : viewer_->Show().labels) all += label.text + " ";
@@ -188,7 +182,7 @@ class SceneOnDisk : public ViewerTest {
   }
 
  private:
-  std::filesystem::path folder_;
+  project::Folder folder_;
 };
 
 // It faded after five seconds, and the scene from before looked as if it were the file's.

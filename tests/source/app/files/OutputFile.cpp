@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 
@@ -27,12 +26,7 @@ std::span<const unsigned char> Bytes(const std::string& text) {
 
 /// Returns the message of the refusal, or "" if the name is accepted.
 std::string Refusal(const std::string& name, const std::vector<std::string>& inputs = {}) {
-  try {
-    CheckOutput(name, inputs);
-  } catch (const OutputError& error) {
-    return error.what();
-  }
-  return "";
+  return project::MessageOf<OutputError>([&] { CheckOutput(name, inputs); });
 }
 
 TEST(OutputFile, IsWrittenWholeAndLeavesNothingBeside) {

@@ -37,13 +37,10 @@ ViewerOptions ViewParsed(const Words& more) {
 
 /// Returns the message of the error, or "" if there is none.
 std::string ErrorOf(const Words& words, const Program& program = Program::raypro) {
-  try {
+  return project::MessageOf<UsageError>([&] {
     auto options = ReadCommandLine(program, words);
     if (!options.files.scene.empty()) CompleteForScene(options);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 /// With the names that a render needs.

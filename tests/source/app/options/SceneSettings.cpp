@@ -5,6 +5,7 @@
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
 #include "source/parse/SceneError.h"
+#include "tests/Folder.h"
 
 namespace ray {
 namespace {
@@ -21,12 +22,7 @@ RenderOptions Typed(std::vector<std::string> words) {
 }
 
 std::string RefusalOf(const SceneSetting& setting) {
-  try {
-    WithSettingsOf(With({setting}), Typed({}));
-  } catch (const SceneErrors& error) {
-    return error.what();
-  }
-  return "";
+  return project::MessageOf<SceneErrors>([&] { WithSettingsOf(With({setting}), Typed({})); });
 }
 
 TEST(SceneSettings, ApplyUnlessTheCommandLineSetsThem) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "source/draw/contexts/Context.h"
+#include "tests/Folder.h"
 #include "tests/Sanitizers.h"
 #include "tests/source/draw/contexts/Usable.h"
 
@@ -20,12 +21,7 @@ namespace {
 using ray::ContextError;
 
 std::string Complaint(const std::string& kind) {
-  try {
-    ray::MakeOffscreenContext(kind);
-  } catch (const ContextError& error) {
-    return error.what();
-  }
-  return "";
+  return project::MessageOf<ContextError>([&] { ray::MakeOffscreenContext(kind); });
 }
 
 TEST(Contexts, AnUnknownKindIsToldTheKindsThereAre) {

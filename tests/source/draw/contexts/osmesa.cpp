@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <regex>
 #include <set>
@@ -19,19 +18,14 @@ std::set<std::string> AllThatMatch(const std::string& text, const std::regex& pa
   return all;
 }
 
-std::string TextOf(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 // One that is missing is looked up through GLX or EGL, which ends the program where neither has a context.
 TEST(OsMesa, HasEveryFunctionOfOpenGlThatWeCall) {
   const std::filesystem::path draw = project::Root() / "source/draw";
   std::set<std::string> called;
   for (const auto& file : std::filesystem::directory_iterator(draw / "gl"))
-    called.merge(AllThatMatch(TextOf(file.path()), std::regex("\\bgl([A-Z][A-Za-z0-9]+)\\b")));
+    called.merge(AllThatMatch(project::BytesOf(file.path()), std::regex("\\bgl([A-Z][A-Za-z0-9]+)\\b")));
   EXPECT_GT(called.size(), 60U);
-  const auto has = AllThatMatch(TextOf(draw / "contexts/osmesa.cpp"), std::regex("USE\\((\\w+)\\)"));
+  const auto has = AllThatMatch(project::BytesOf(draw / "contexts/osmesa.cpp"), std::regex("USE\\((\\w+)\\)"));
   for (const std::string& name : called) EXPECT_TRUE(has.contains(name)) << "gl" << name;
 }
 

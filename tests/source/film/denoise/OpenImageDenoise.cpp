@@ -10,6 +10,7 @@
 
 #include "source/film/denoise/Denoise.h"
 #include "source/sample/Random.h"
+#include "tests/Folder.h"
 
 namespace ray {
 namespace {
@@ -78,19 +79,8 @@ void* FindInFake(const char* name) {
   return fake.missing.contains(name) || !all.contains(name) ? nullptr : all.at(name);
 }
 
-/// What went wrong while `act` was done; empty for nothing.
-template <typename Act>
-std::string FaultOf(const Act& act) {
-  try {
-    act();
-  } catch (const DenoiserError& error) {
-    return error.what();
-  }
-  return {};
-}
-
 std::string FaultOfLoading() {
-  return FaultOf([] { OpenImageDenoise(FindInFake, 0); });
+  return project::MessageOf<DenoiserError>([] { OpenImageDenoise(FindInFake, 0); });
 }
 
 /// Gray with even noise.
@@ -163,7 +153,7 @@ TEST_F(OpenImageDenoiseOf, AFailingFilterIsReportedAndReleased) {
   {
     const OpenImageDenoise library(FindInFake, 0);
     fake.fault = "out of memory";
-    EXPECT_EQ(FaultOf([&] { library.Filtered(NoisyGray(1), BlankGuides().best[0]); }),
+    EXPECT_EQ(project::MessageOf<DenoiserError>([&] { library.Filtered(NoisyGray(1), BlankGuides().best[0]); }),
               "Open Image Denoise: out of memory");
   }
   EXPECT_EQ(std::pair(fake.devices, fake.filters), std::pair(0, 0));
@@ -202,8 +192,8 @@ TEST_F(OpenImageDenoiseOf, AFilterThatMakesThePictureWorseIsNotUsed) {
 TEST_F(OpenImageDenoiseOf, AMachineWithoutItFailsOnlyOnRequest) {
   if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
   EXPECT_EQ(Resolved(Denoiser::automatic), Denoiser::regression);
-  EXPECT_NE(FaultOf([] { DenoiseFilters(Denoiser::oidn); }).find("libOpenImageDenoise.so.2"), std::string::npos);
-  EXPECT_NE(FaultOf([] { DenoiseFilters(Denoiser::both); }).find("not installed"), std::string::npos);
+  EXPECT_NE(project::MessageOf<DenoiserError>([] { DenoiseFilters(Denoiser::oidn); }).find("libOpenImageDenoise.so.2"), std::string::npos);
+  EXPECT_NE(project::MessageOf<DenoiserError>([] { DenoiseFilters(Denoiser::both); }).find("not installed"), std::string::npos);
 }
 
 // What a trained filter does is known only by trying: version 2.5.1 leaves 1 / 7 of this noise.

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "source/parse/meshes/MeshFormat.h"
 #include "tests/source/parse/Folder.h"
@@ -13,9 +11,7 @@ namespace ray {
 namespace {
 
 std::string BytesOf(const std::string& name) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(ProjectRoot() / "tests/source/parse/meshes/files" / name, std::ios::binary).rdbuf();
-  return bytes.str();
+  return project::BytesOf(project::Root() / "tests/source/parse/meshes/files" / name);
 }
 
 std::string ErrorOf(const MeshFormat& format, const std::string& bytes) {
@@ -30,7 +26,7 @@ std::string ErrorOf(const MeshFormat& format, const std::string& bytes) {
 
 TEST(Looks, NonMeshFilesAreErrors) {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(ProjectRoot() / "tests/source/parse/meshes/files/looks")) {
+  for (const auto& entry : std::filesystem::directory_iterator(project::Root() / "tests/source/parse/meshes/files/looks")) {
     const std::string name = entry.path().filename().string(), bytes = BytesOf("looks/" + name);
     ASSERT_FALSE(bytes.empty()) << name;
     if (entry.path().extension() == ".sh") continue;

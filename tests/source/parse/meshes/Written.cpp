@@ -14,12 +14,10 @@
 namespace ray {
 namespace {
 
-std::filesystem::path Files() { return ProjectRoot() / "tests/source/parse/meshes/files"; }
+std::filesystem::path Files() { return project::Root() / "tests/source/parse/meshes/files"; }
 
 ReadMesh WrittenMesh(const std::string& name) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(Files() / name, std::ios::binary).rdbuf();
-  return MeshOfBytes(name, bytes.str());
+  return MeshOfBytes(name, project::BytesOf(Files() / name));
 }
 
 /// Returns the lines of a table, without comments, as words.

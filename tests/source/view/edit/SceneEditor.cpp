@@ -4,7 +4,6 @@
 #include "source/view/edit/SceneEditor.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -20,10 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string BytesOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
+using project::BytesOf;
 
 std::vector<std::string> LinesOf(const std::string& text) {
   std::istringstream in(text);

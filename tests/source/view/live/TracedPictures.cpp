@@ -34,8 +34,7 @@ TEST_F(ViewerTest, AMovedViewTracesLikeItsPrintedCamera) {
   EXPECT_EQ(host_.clipboard, line + "\n");
   // The printed line in the place of the scene's own.
   const CopiedScenes copy;
-  std::ifstream in(copy / "hello.scn");
-  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  std::string text = project::BytesOf(copy / "hello.scn");
   const std::size_t own = text.find("\ncamera ");
   ASSERT_NE(own, std::string::npos);
   text.replace(own + 1, text.find('\n', own + 1) - own - 1, line);

@@ -1,12 +1,9 @@
 #include "source/view/panels/Panels.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <thread>
 
@@ -411,8 +408,9 @@ TEST_F(PanelTest, AcceleratorsAreComparedAndOneIsTaken) {
 }
 
 TEST_F(PanelTest, MistakesOfAnEditedSceneAreShownWithTheirPlaces) {
-  const auto file = std::filesystem::temp_directory_path() / ("panels-" + std::to_string(getpid()) + ".scn");
-  const auto write = [&](const std::string& text) { std::ofstream(file) << text; };
+  const project::Folder folder;
+  const auto file = folder / "scene.scn";
+  const auto write = [&](const std::string& text) { folder.Write("scene.scn", text); };
   write("sphere -1  0 0 0  1\n");
   Open(file);
   Do("key Tab");
@@ -427,7 +425,6 @@ TEST_F(PanelTest, MistakesOfAnEditedSceneAreShownWithTheirPlaces) {
   write("sphere -1  0 0 0  2\n");
   Do("key Control+R");
   EXPECT_FALSE(HasItem("Errors"));
-  std::filesystem::remove(file);
 }
 
 TEST_F(PanelTest, HaveALightThemeAndLargerLetters) {

@@ -275,7 +275,7 @@ TEST(Groningen, ASpecularMapMultipliesKs) {
                     "'kd': 0, 'ks': 1, 'n': 1, 'specularMap': '" +
                         name + "'}}");
   };
-  const std::string image = std::filesystem::absolute(ProjectRoot() / "scenes/textures/checker.png").string();
+  const std::string image = std::filesystem::absolute(project::Root() / "scenes/textures/checker.png").string();
   const Material m = maps(image).scene.materials.back();
   ASSERT_TRUE(m.specular_map);
   EXPECT_EQ(m.specular_map->image.Width(), m.specular_map->image.Height());

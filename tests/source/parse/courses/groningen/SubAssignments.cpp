@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/SceneSettings.h"
+#include "tests/Folder.h"
 #include "tests/Project.h"
 
 namespace ray {
@@ -15,12 +14,7 @@ namespace {
 
 #ifdef RAYPRO_YAML
 
-std::string Page() {
-  std::ifstream in(project::Root() / "docs/groningen.md");
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+std::string Page() { return project::BytesOf(project::Root() / "docs/groningen.md"); }
 
 TEST(GroningensSubAssignments, EachHasASceneThatIsReadAndSeen) {
   const std::string page = Page();
