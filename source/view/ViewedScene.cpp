@@ -1,6 +1,5 @@
 #include "source/view/ViewedScene.h"
 
-#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -18,28 +17,22 @@ void ViewedScene::Take(std::shared_ptr<const LoadedScene> scene) {
 }
 
 void ViewedScene::MakeFaces(const RenderSettings& settings) {
-  constexpr std::chrono::milliseconds moment{20};
-  std::erase_if(ending_,
-                [](auto& faces) { return faces.wait_for(std::chrono::seconds{0}) == std::future_status::ready; });
-  if (making_.valid()) ending_.push_back(std::move(making_));
-  making_ = std::async(std::launch::async, [scene = loaded_, settings, space = space_] {
-    return PreviewOf(scene->world, settings, space);
-  });
-  making_.wait_for(moment);
+  making_.Begin([scene = loaded_, settings, space = space_] { return PreviewOf(scene->world, settings, space); });
   TakeFaces();
 }
 
 bool ViewedScene::TakeFaces(bool waits) {
-  if (!making_.valid()) return false;
-  if (!waits && making_.wait_for(std::chrono::seconds{0}) != std::future_status::ready) return false;
-  notes_.clear();
   std::shared_ptr<const PreviewScene> faces;
+  std::string problem;
   try {
-    faces = std::make_shared<const PreviewScene>(making_.get());
-  } catch (const std::exception& problem) {  // such as too little memory; the traced image may still be made
+    auto made = making_.Take(waits);
+    if (!made) return false;
+    faces = std::make_shared<const PreviewScene>(std::move(*made));
+  } catch (const std::exception& error) {  // such as too little memory; the traced image may still be made
     faces = std::make_shared<const PreviewScene>();
-    AddNote(std::string("there is no preview: ") + problem.what());
+    problem = std::string("there is no preview: ") + error.what();
   }
+  notes_ = problem;
   if (faces->simplified > 0)
     AddNote(std::to_string(faces->simplified) + (faces->simplified == 1 ? " mesh" : " meshes") + " simplified");
   if (faces->as_boxes > 0)

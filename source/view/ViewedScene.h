@@ -1,6 +1,5 @@
 #pragma once
 
-#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "source/draw/Drawing.h"
 #include "source/draw/preview/PreviewScene.h"
 #include "source/parse/SceneError.h"
+#include "source/view/LatestJob.h"
 #include "source/view/LoadedScene.h"
 
 namespace ray {
@@ -22,7 +22,7 @@ class ViewedScene {
   void MakeFaces(const RenderSettings& settings);
   /// Takes the preview that was begun last, if it is made by now, or waits for it. Returns whether Faces is another.
   bool TakeFaces(bool waits = false);
-  bool IsMakingFaces() const { return making_.valid(); }
+  bool IsMakingFaces() const { return making_.IsBusy(); }
 
   const LoadedScene& Loaded() const { return *loaded_; }
   const std::shared_ptr<const LoadedScene>& Shared() const { return loaded_; }
@@ -52,8 +52,7 @@ class ViewedScene {
   std::shared_ptr<const LoadedScene> loaded_;
   DrawingSpace space_;
   std::shared_ptr<const PreviewScene> faces_;
-  std::future<PreviewScene> making_;
-  std::vector<std::future<PreviewScene>> ending_;  // of scenes and settings from before
+  LatestJob<PreviewScene> making_;
   std::string notes_;
   int number_ = 0;
   std::vector<SceneError> mistakes_;

@@ -100,6 +100,8 @@ void Viewer::On(const TickEvent& event) {
 }
 
 bool Viewer::Update() {
+  state_.reader.Update();
+  state_.editor.DoDue();
   if (state_.navigator.Changes() != changes_seen_) {
     changes_seen_ = state_.navigator.Changes();
     state_.pictures.TouchView();
@@ -111,11 +113,22 @@ bool Viewer::Update() {
   if (state_.scene.TakeFaces()) state_.notices.Redraw();
   TakeEndedJobs(state_);
   state_.status.Update(state_.pictures, state_.notices.Now());
+  if (std::string reading = state_.reader.Describe(); reading != reading_) {
+    reading_ = std::move(reading);
+    state_.notices.Redraw();
+  }
   const bool has_costs = state_.accelerators.HasNews(), has_rows = HasNewRows();
   const bool shows_traced = Pictures().ShownLive() != nullptr, is_fading = shows_traced && Pictures().Opacity() < 1;
   const bool is_switched = std::exchange(showed_traced_, shows_traced) != shows_traced;
   if (has_costs || has_rows || is_switched || std::exchange(was_fading_, is_fading)) state_.notices.Redraw();
   return state_.notices.TakeRedraw();
+}
+
+void Viewer::WaitForScene() {
+  do {
+    state_.reader.Update(true);
+    state_.editor.DoDue();
+  } while (state_.reader.IsBusy());
 }
 
 bool Viewer::HasNewRows() {

@@ -29,7 +29,8 @@ class Viewer {
   FrameState Show();
   /// Whether a picture is being traced, so that Update is soon worth a call.
   bool IsBusy() const {
-    return state_.pictures.IsBusy() || state_.accelerators.IsBusy() || state_.scene.IsMakingFaces();
+    return state_.pictures.IsBusy() || state_.accelerators.IsBusy() || state_.scene.IsMakingFaces() ||
+           state_.reader.IsBusy();
   }
   bool IsClosed() const { return state_.is_closed; }
 
@@ -48,6 +49,9 @@ class Viewer {
   void ShowPanels(const PanelSettings& look);
   /// The file of the settings has these mistakes, and the scene shown is another.
   void TellMistakes(const SceneErrors& mistakes);
+  /// Waits for the scene that is being read, so that the next event finds it shown.
+  void WaitForScene();
+  bool IsReading() const { return state_.reader.IsBusy(); }
   /// Waits for the preview of the scene, so that Show has it.
   void WaitForFaces() { state_.scene.TakeFaces(true); }
   /// Shows a message.
@@ -81,6 +85,7 @@ class Viewer {
   bool has_ticked_ = false, showed_traced_ = false, was_fading_ = false;
   double last_look_at_files_ = 0;  // seconds of ticks
   std::uint64_t changes_seen_ = 0;
+  std::string reading_;            // what was said of the scene that is being read
   std::shared_ptr<const Lines> lines_;
   bool lines_have_quad_frame_ = false;
   std::vector<std::uint32_t> versions_;  // of the rows of frames when last seen

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -203,7 +204,9 @@ class Session : public ViewerHost {
     recent_.Save();
     if (!habits_file_.empty() && viewer_.state().panels->Look() != first_look_)
       SavePanelHabits(habits_file_, viewer_.state().panels->Look());
-    return StopSignal() != 0 ? status::killed_by + StopSignal() : status_;
+    const int end = StopSignal() != 0 ? status::killed_by + StopSignal() : status_;
+    if (viewer_.IsReading()) std::_Exit(end);  // of a scene that nobody will see; it cannot be stopped
+    return end;
   }
 
   std::string SaveTraced(const RenderJob& job) override {
@@ -321,6 +324,7 @@ class Session : public ViewerHost {
   void Happen(const Event& event) {
     recorder_.Keep(Flipped(event));
     viewer_.Handle(event);
+    if (!IsLookedAt(options_.view)) viewer_.WaitForScene();  // the next step of a script is for the scene read
     if (!wants_drawing_) return;
     wants_drawing_ = false;
     Draw();

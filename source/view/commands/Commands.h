@@ -1,6 +1,7 @@
 #pragma once
 
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,7 +12,7 @@ namespace ray {
 
 // What is shown and chosen, and what is closed again.
 
-/// Ends the uppermost of what is open: the help, the flat image, the crop, the pick, the cross section, the rendering.
+/// Ends the uppermost of what is open: the help, a scene being read, the flat image, the crop, the pick, the cross section, the rendering.
 void Peel(ViewerState& viewer);
 /// Unless that would lose something; then when it is asked for again.
 void Quit(ViewerState& viewer);
@@ -59,9 +60,10 @@ void RecallBookmark(ViewerState& viewer, int digit);
 void TakeScene(ViewerState& viewer, std::shared_ptr<const LoadedScene> scene);
 /// Empty for the option's default. While the picture of key S is being rendered options stay as they are.
 void ChangeOption(ViewerState& viewer, const std::string& name, const std::string& value);
-/// Reads the scene with these texts in place of its files; camera, options and pictures stay. Returns why it could
-/// not, and then shows what it did before; else nothing.
-std::string ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts);
+/// Reads the scene with these texts in place of its files, and shows it; camera, options and images stay. Then calls
+/// `then` with the problem if it could not, else with an empty text.
+void ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts,
+               std::function<void(const std::string& problem)> then);
 /// Returns why it could not be written, else nothing.
 std::string SaveScene(ViewerState& viewer, const std::string& file, const std::string& text);
 /// Unless that would lose edits; then a message says so, and it is opened when it is asked for again. A picture is the

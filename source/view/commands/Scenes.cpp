@@ -14,10 +14,6 @@ bool HoldsForeignRays(const std::string& file) {
   return (extension == ".rays" || extension == ".obj") && IsForeignRays({file, ReadSceneFile(file).value_or("")});
 }
 
-std::shared_ptr<const LoadedScene> Load(const std::string& file, const ViewerSettings& settings) {
-  return std::make_shared<LoadedScene>(file, settings.parse, settings.accelerator);
-}
-
 void MakeFaces(ViewerState& viewer) {
   viewer.pictures.SetEncoding({viewer.settings.render.srgb, viewer.settings.render.quantization});
   viewer.scene.MakeFaces(viewer.settings.render);
@@ -31,19 +27,24 @@ void TakeSettings(ViewerState& viewer, const Scene& scene) {
   viewer.settings.budget_of_rest = settings->budget_of_rest;
 }
 
-/// The scene from the disk, or as it is edited.
-void Reload(ViewerState& viewer) {
-  try {
-    auto scene = Load(viewer.settings.scene, viewer.settings);
+using EditedTexts = std::shared_ptr<const EditedFiles>;
+
+/// Reads the scene again, from the disk or, if there are any, from edited texts. The scene that is shown stays until
+/// the new one can be read.
+void Reload(ViewerState& viewer, EditedTexts texts) {
+  ParseOptions parse = viewer.settings.parse;
+  parse.edited = texts;
+  const auto show = [&viewer, texts](std::shared_ptr<const LoadedScene> scene) {
     TakeSettings(viewer, scene->parsed.scene);
+    if (!texts) viewer.editor.Forget();
+    viewer.settings.parse.edited = texts;
     const bool showed_nothing = viewer.scene.world().Instances().empty();
     TakeScene(viewer, std::move(scene));
     if (showed_nothing) viewer.navigator.Go(viewer.scene.Parsed().camera);
     viewer.notices.Tell("scene reloaded" + viewer.NotesAfterMessage());
-  } catch (const std::exception& error) {
-    // The scene that is shown stays until the new one can be read.
-    TellProblems(viewer, viewer.settings.scene, error);
-  }
+  };
+  const auto refuse = [&viewer](const std::exception& error) { TellProblems(viewer, viewer.settings.scene, error); };
+  viewer.reader.Read(viewer.settings.scene, parse, viewer.settings.accelerator, texts != nullptr, show, refuse);
 }
 
 }  // namespace
@@ -83,30 +84,31 @@ void ChangeOption(ViewerState& viewer, const std::string& name, const std::strin
   viewer.settings.accelerator = changed.accelerator;
   viewer.settings.render = changed.render;
   viewer.settings.budget_of_rest = changed.budget_of_rest;
-  if (is_read_again) return Reload(viewer);
+  if (is_read_again) return Reload(viewer, viewer.settings.parse.edited);
   MakeFaces(viewer);
   viewer.pictures.Touch();
   viewer.notices.RedrawLines();
   viewer.notices.Tell("-" + name + " " + value);
 }
 
-std::string ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts) {
-  const bool was_in_place = !viewer.HasMovedCamera();
-  ViewerSettings as_edited = viewer.settings;
-  as_edited.parse.edited = std::move(texts);
-  try {
-    auto scene = std::make_shared<const LoadedScene>(viewer.settings.scene, as_edited.parse, as_edited.accelerator);
+void ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts,
+               std::function<void(const std::string& problem)> then) {
+  ParseOptions parse = viewer.settings.parse;
+  parse.edited = texts;
+  const auto show = [&viewer, texts, then](std::shared_ptr<const LoadedScene> scene) {
+    const bool was_in_place = !viewer.HasMovedCamera();
     TakeSettings(viewer, scene->parsed.scene);
-    viewer.settings.parse.edited = as_edited.parse.edited;
+    viewer.settings.parse.edited = texts;
     TakeScene(viewer, std::move(scene));
-  } catch (const SceneErrors& errors) {
-    return errors.All().empty() ? errors.what() : errors.All().front().message;
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  // Whoever looks through the scene's camera goes with it.
-  if (was_in_place && viewer.HasMovedCamera()) viewer.navigator.Go(viewer.scene.Parsed().camera);
-  return {};
+    // Whoever looks through the scene's camera goes with it.
+    if (was_in_place && viewer.HasMovedCamera()) viewer.navigator.Go(viewer.scene.Parsed().camera);
+    then({});
+  };
+  const auto refuse = [then](const std::exception& error) {
+    const auto* errors = dynamic_cast<const SceneErrors*>(&error);
+    then(errors && !errors->All().empty() ? errors->All().front().message : error.what());
+  };
+  viewer.reader.Read(viewer.settings.scene, parse, viewer.settings.accelerator, true, show, refuse);
 }
 
 std::string SaveScene(ViewerState& viewer, const std::string& file, const std::string& text) {
@@ -117,17 +119,11 @@ std::string SaveScene(ViewerState& viewer, const std::string& file, const std::s
 
 void ReadFromDisk(ViewerState& viewer) {
   if (!viewer.editor.MayLose("reload the scene")) return;
-  auto edited = std::exchange(viewer.settings.parse.edited, nullptr);
-  const int number = viewer.scene.Number();
-  Reload(viewer);
-  if (viewer.scene.Number() == number)
-    viewer.settings.parse.edited = std::move(edited);  // what is shown is still what was edited
-  else
-    viewer.editor.Forget();
+  Reload(viewer, nullptr);
 }
 
 void TellOfChangedFiles(ViewerState& viewer) {
-  if (!viewer.editor.HasUnsaved()) return ReadFromDisk(viewer);
+  if (!viewer.editor.HasUnsaved() && !viewer.reader.IsReadingEdit()) return ReadFromDisk(viewer);
   viewer.notices.Tell("the scene has changed on the disk; your changes stay, Control+S saves them");
 }
 
@@ -146,10 +142,9 @@ void OpenScene(ViewerState& viewer, const std::string& file) {
   if (std::error_code error; std::filesystem::is_regular_file(file, error) && HoldsForeignRays(file))
     return ShowForeignRays(viewer, file);
   if (!viewer.editor.MayLose("open " + file)) return;
-  try {
-    ViewerSettings unedited = viewer.settings;
-    unedited.parse.edited.reset();
-    auto scene = Load(file, unedited);
+  ParseOptions unedited = viewer.settings.parse;
+  unedited.edited.reset();
+  const auto show = [&viewer, file](std::shared_ptr<const LoadedScene> scene) {
     TakeSettings(viewer, scene->parsed.scene);
     viewer.settings.scene = file;
     viewer.settings.parse.edited.reset();
@@ -161,13 +156,14 @@ void OpenScene(ViewerState& viewer, const std::string& file) {
     viewer.navigator.SetPivot({});
     viewer.navigator.Go(viewer.scene.Parsed().camera);
     viewer.notices.Tell("opened " + file + viewer.NotesAfterMessage());
-  } catch (const std::exception& error) {
-    TellProblems(viewer, file, error);
-  }
+  };
+  const auto refuse = [&viewer, file](const std::exception& error) { TellProblems(viewer, file, error); };
+  viewer.reader.Read(file, unedited, viewer.settings.accelerator, false, show, refuse);
 }
 
 void OpenNeighbor(ViewerState& viewer, int by) {
-  const std::string file = NeighborOf(viewer.settings.scene, ScenesBeside(viewer.settings.scene), by);
+  const std::string& from = viewer.reader.IsBusy() ? viewer.reader.File() : viewer.settings.scene;
+  const std::string file = NeighborOf(from, ScenesBeside(from), by);
   if (file.empty()) return viewer.notices.Tell("there is no other scene in the folder");
   OpenScene(viewer, file);
 }

@@ -19,6 +19,10 @@ void Toggle(ViewerState& viewer, const char* what, bool SpaceOverlays::*shows) {
 
 void Peel(ViewerState& viewer) {
   if (viewer.shows.help) return ToggleHelp(viewer);
+  if (viewer.reader.IsBusy()) {
+    viewer.notices.Tell("stopped " + viewer.reader.Describe());
+    return viewer.reader.Stop();
+  }
   if (viewer.flat.IsShown()) return ToggleFlat(viewer);
   if (viewer.crop) return ClearCrop(viewer);
   if (viewer.selection.pick) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -113,13 +112,13 @@ void SceneEditor::Forget() {
   texts_.reset(), copied_.reset();
   saved_.clear();
   light_.reset(), material_.reset(), drag_.reset();
-  held_ = nullptr;
+  held_ = nullptr, held_is_due_ = false;
   is_unsaved_ = false;
 }
 
 bool SceneEditor::MayLose(const std::string& next) {
   const bool is_copied = copied_ && texts_ && *copied_ == *texts_;
-  return !is_unsaved_ || is_copied ||
+  return (!is_unsaved_ && !viewer_.reader.IsReadingEdit()) || is_copied ||
          viewer_.notices.Confirms("the scene has unsaved changes; Control+S saves them, again to " + next + " without");
 }
 
@@ -165,8 +164,8 @@ void SceneEditor::ChooseMaterial(std::size_t material) {
 std::string SceneEditor::Name(std::uint32_t statement) const { return NameOf(Places(), statement); }
 
 std::optional<EditPlace> SceneEditor::PlaceOf(std::optional<std::uint32_t> statement) const {
-  if (!statement) return {};
   const ScnPlaces& places = Places();
+  if (!statement || *statement >= places.statements.size()) return {};
   const ScnPlaces::Statement& at = places.statements[*statement];
   return EditPlace{places.files[at.file].canonical, at.begin};
 }
@@ -192,71 +191,83 @@ void SceneEditor::RefuseReadOnly(const TextEdits& edits) const {
   }
 }
 
-bool SceneEditor::Do(const std::string& what, const std::string& key, bool continues,
+void SceneEditor::Do(const std::string& what, const std::string& key, bool continues,
                      const std::function<TextEdits()>& make, const std::optional<EditPlace>& chosen_after) {
-  if (const std::string why = WhyNot(); !why.empty()) {
-    viewer_.notices.Tell(why);
-    return false;
-  }
+  if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Tell(why);
+  if (MustWait()) return;
   TextEdits edits;
   try {
     edits = make();
     RefuseReadOnly(edits);
   } catch (const EditRefusal& refusal) {
-    viewer_.notices.Tell("cannot " + what + ": " + refusal.what());
-    return false;
+    return viewer_.notices.Tell("cannot " + what + ": " + refusal.what());
   }
-  if (edits.empty()) return false;  // it is so already
+  if (edits.empty()) return;  // it is so already
   const auto before = PlaceOf(ChosenStatement());
   auto after = chosen_after;
   if (!after && before) after = EditPlace{before->file, OffsetAfter(edits, before->file, before->begin)};
-  if (!Apply(edits, after)) return false;
-  history_.Do({what, key, edits, before, after}, continues);
-  CheckUnsaved();
-  viewer_.notices.Tell(what);
+  Apply(edits, after, [=, this] {
+    history_.Do({what, key, edits, before, after}, continues);
+    return what;
+  });
+}
+
+bool SceneEditor::MustWait() {
+  if (!viewer_.reader.IsBusy()) return false;
+  viewer_.notices.Tell("wait: " + viewer_.reader.Describe());
   return true;
 }
 
-bool SceneEditor::Apply(const TextEdits& edits, const std::optional<EditPlace>& chosen) {
+void SceneEditor::Apply(const TextEdits& edits, const std::optional<EditPlace>& chosen,
+                        const std::function<std::string()>& then) {
   if (!texts_) {
     saved_.clear();
     for (const ScnPlaces::File& file : Places().files) saved_[file.canonical] = file.text->bytes;
   }
   const auto next = std::make_shared<const EditedFiles>(Edited(texts_ ? *texts_ : saved_, edits));
   const bool had_material = material_ && node_of_material_ == viewer_.selection.node;
-  const auto start = std::chrono::steady_clock::now();
-  const std::string problem = ShowEdits(viewer_, next);
-  seconds_of_reading_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!problem.empty()) {
-    viewer_.notices.Tell("refused: " + problem);
-    return false;
-  }
-  texts_ = next;
   held_ = nullptr;  // it was of the text before
-  light_.reset();
-  if (chosen) Choose(*chosen);
-  if (had_material) node_of_material_ = viewer_.selection.node;
-  return true;
+  ShowEdits(viewer_, next, [=, this](const std::string& problem) {
+    if (!problem.empty()) return viewer_.notices.Tell("refused: " + problem);
+    texts_ = next;
+    light_.reset();
+    if (chosen) Choose(*chosen);
+    if (had_material) node_of_material_ = viewer_.selection.node;
+    const std::string done = then();
+    CheckUnsaved();
+    viewer_.notices.Tell(done);
+  });
 }
+
+bool SceneEditor::IsSlow() const { return viewer_.reader.IsBusy() || viewer_.reader.Seconds() > slow; }
 
 void SceneEditor::SetField(std::uint32_t statement, const ScnField& field, const std::vector<double>& values,
                            bool continues) {
   const auto place = PlaceOf(statement);
   const std::string key = place ? field.name + "@" + std::to_string(place->begin) + place->file : "";
   const std::string what = "set " + field.name + " of " + Name(statement) + " to" + InWords(values);
-  DoOrHold(what, key, continues, [=, this] { return WithValues(Places(), statement, field, values); });
+  DoOrHold(what, key, continues, [=, this] {
+    if (PlaceOf(statement) != place) throw EditRefusal("the scene has changed meanwhile");
+    return WithValues(Places(), statement, field, values);
+  });
 }
 
 void SceneEditor::DoOrHold(const std::string& what, const std::string& key, bool continues,
                            const std::function<TextEdits()>& make) {
   const auto change = [=, this] { Do(what, key, continues, make); };
-  if (!continues || seconds_of_reading_ <= slow) return change();
+  if (!continues || !IsSlow()) return change();
   held_ = change;
   viewer_.notices.Tell(what + ", once the button is let go");
 }
 
 void SceneEditor::DoHeld() {
+  held_is_due_ = held_ && viewer_.reader.IsBusy();
+  if (held_is_due_) return;
   if (const auto held = std::exchange(held_, nullptr)) held();
+}
+
+void SceneEditor::DoDue() {
+  if (held_is_due_) DoHeld();
 }
 
 void SceneEditor::SetSetting(const std::string& option, const std::string& value, bool continues) {
@@ -421,7 +432,7 @@ void SceneEditor::DragTo(const R3::Ray& ray) {
   }
   constexpr double share_of_step = 0.1;
   drag_->left = Snapped(way, share_of_step * Step()) - drag_->done;
-  if (seconds_of_reading_ > slow) return;
+  if (IsSlow()) return;
   const Drag now = *drag_;
   if (now.left == R3::Vector{}) return;
   drag_->done = now.done + now.left, drag_->left = {};
@@ -431,31 +442,35 @@ void SceneEditor::DragTo(const R3::Ray& ray) {
 void SceneEditor::EndDrag() {
   if (!drag_) return;
   const Drag last = *std::exchange(drag_, {});
-  if (!(last.left == R3::Vector{})) Move(last.left, "drag", !(last.done == R3::Vector{}));
+  if (last.left == R3::Vector{}) return;
+  held_ = [=, this] { Move(last.left, "drag", !(last.done == R3::Vector{})); };
+  DoHeld();
 }
 
 void SceneEditor::Undo() {
   const Change* change = history_.ToUndo();
   if (!change) return viewer_.notices.Tell("nothing to undo");
+  if (MustWait()) return;
   const auto now = PlaceOf(ChosenStatement());
   const TextEdits edits = Reversed(change->edits);
   auto chosen = change->chosen_before;
   if (!chosen && now) chosen = EditPlace{now->file, OffsetAfter(edits, now->file, now->begin)};
   const std::string what = change->what;
-  if (!Apply(edits, chosen)) return;
-  history_.Undo();
-  CheckUnsaved();
-  viewer_.notices.Tell("undone: " + what);
+  Apply(edits, chosen, [=, this] {
+    history_.Undo();
+    return "undone: " + what;
+  });
 }
 
 void SceneEditor::Redo() {
   const Change* change = history_.ToRedo();
   if (!change) return viewer_.notices.Tell("nothing to redo");
+  if (MustWait()) return;
   const std::string what = change->what;
-  if (!Apply(change->edits, change->chosen_after)) return;
-  history_.Redo();
-  CheckUnsaved();
-  viewer_.notices.Tell("redone: " + what);
+  Apply(change->edits, change->chosen_after, [=, this] {
+    history_.Redo();
+    return "redone: " + what;
+  });
 }
 
 void SceneEditor::Save() {

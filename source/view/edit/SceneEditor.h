@@ -73,6 +73,8 @@ class SceneEditor {
   /// A button was let go: what a slider or picker was dragged to is done now, where reading the scene takes too long to
   /// follow it.
   void DoHeld();
+  /// Does the same that had to wait until a scene was read.
+  void DoDue();
 
   // A drag of what is chosen. Rays are through the pointer.
   /// Whether there is something to drag.
@@ -111,13 +113,18 @@ class SceneEditor {
   /// Chooses what is said there, if anything is.
   void Choose(const EditPlace& place);
   /// Makes the edits of `make`, which throws EditRefusal, into a change; `key` of the statement's field, for changes
-  /// that continue. Returns whether it was done.
-  bool Do(const std::string& what, const std::string& key, bool continues, const std::function<TextEdits()>& make,
+  /// that continue.
+  void Do(const std::string& what, const std::string& key, bool continues, const std::function<TextEdits()>& make,
           const std::optional<EditPlace>& chosen_after = {});
   /// Does an edit at once, or on release of the button: for edits that continue while reading the scene takes long.
   void DoOrHold(const std::string& what, const std::string& key, bool continues,
                 const std::function<TextEdits()>& make);
-  bool Apply(const TextEdits& edits, const std::optional<EditPlace>& chosen);
+  /// Shows the scene with the edits. Then calls `then`, which returns the message, unless they are refused.
+  void Apply(const TextEdits& edits, const std::optional<EditPlace>& chosen, const std::function<std::string()>& then);
+  /// Returns true, with a message, if a scene is being read: an edit would be of a text that is about to change.
+  bool MustWait();
+  /// Returns true if reading the scene takes too long to follow a drag.
+  bool IsSlow() const;
   void Move(const R3::Vector& way, const std::string& key, bool continues);
   R3::Vector AxisVector() const;
   void RefuseReadOnly(const TextEdits& edits) const;
@@ -135,8 +142,8 @@ class SceneEditor {
   std::optional<std::size_t> light_, material_;
   std::optional<std::size_t> node_of_material_;  // what was chosen when the material was
   std::optional<Drag> drag_;
-  std::function<void()> held_;     // a change for when the button is let go; empty for none
-  double seconds_of_reading_ = 0;  // of the last edit
+  std::function<void()> held_;  // a change for when the button is let go; empty for none
+  bool held_is_due_ = false;    // it was let go while a scene was being read
 };
 
 }  // namespace ray

@@ -98,6 +98,7 @@ std::vector<Label> MakeLabels(const ViewerState& viewer) {
   // Above the view, whole texts, and their colors.
   std::vector<std::pair<std::string, Rgba>> upper;
   if (!viewer.scene.Mistakes().empty()) upper.emplace_back(TextOfProblems(viewer), problem_color);
+  if (viewer.reader.IsBusy()) upper.emplace_back(viewer.reader.Describe(), text_color);
   if (viewer.section.IsShown()) {
     upper.emplace_back("cross section: " + viewer.section.Describe(viewer.screen.size.height), text_color);
     if (std::string text = TextOfSection(viewer); !text.empty()) upper.emplace_back(std::move(text), text_color);

@@ -82,6 +82,7 @@ class RandomUser {
   /// Whether key S still makes the picture that the same settings make without a viewer.
   void CheckRendering() {
     for (int i = 0; i < 3; ++i) Do(ButtonEvent{static_cast<Button>(i), false, 1, 1, {}});
+    viewer_->WaitForScene();
     if (viewer_->state().shows.help) Do(KeyEvent{Key::escape, {}, true});  // what is typed is searched for there
     if (viewer_->state().shows.panels) Do(KeyEvent{Key::tab, {}, true});
     Do(ResizeEvent{24, 16, 1});
@@ -129,6 +130,7 @@ class RandomUser {
     const std::size_t done = viewer_->state().editor.History().Done();
     const std::string before = viewer_->Message();
     viewer_->Handle(event);
+    if (++events_ % 4 > 0) viewer_->WaitForScene();  // else the next event comes meanwhile
     edits_ += viewer_->state().editor.History().Done() > done;
     saves_ += viewer_->Message() != before && viewer_->Message().find("saved ") != std::string::npos;
   }
@@ -263,7 +265,7 @@ class RandomUser {
 
   Draw draw_;
   std::string script_ = "origin bottom\n";
-  int edits_ = 0, saves_ = 0, crops_ = 0, slides_ = 0;
+  int events_ = 0, edits_ = 0, saves_ = 0, crops_ = 0, slides_ = 0;
   CopiedScenes folder_;
   WithOptions host_;
   std::unique_ptr<Viewer> viewer_;

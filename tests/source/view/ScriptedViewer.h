@@ -40,6 +40,7 @@ class ScriptedViewer : public ::testing::Test {
   void Do(const std::string& script) {
     for (const ScriptStep& step : ReadEventScript({"test", script})) {
       if (const auto* event = std::get_if<Event>(&step)) viewer_->Handle(*event);
+      viewer_->WaitForScene();
       viewer_->Update();
       if (std::holds_alternative<WaitForTrace>(step)) WaitUntilIdle();
     }
