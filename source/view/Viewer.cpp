@@ -39,6 +39,7 @@ Kind InView(Kind event, double bottom) {
 
 void Viewer::Handle(const Event& event) {
   if (IsAction(event)) state_.notices.CountAction();
+  if (state_.settings.shows_bar && std::holds_alternative<MoveEvent>(event)) state_.notices.Redraw();
   if (state_.shows.panels || state_.shows.help) {
     if (!std::holds_alternative<TickEvent>(event)) state_.notices.Redraw();
     const bool is_taken = state_.panels->Take(event, state_);
@@ -113,8 +114,8 @@ bool Viewer::Update() {
   if (state_.scene.TakeFaces()) state_.notices.Redraw();
   TakeEndedJobs(state_);
   state_.status.Update(state_.pictures, state_.notices.Now());
-  if (std::string reading = state_.reader.Describe(); reading != reading_) {
-    reading_ = std::move(reading);
+  if (std::string progress = state_.reader.Describe() + state_.status.Text(); progress != progress_) {
+    progress_ = std::move(progress);
     state_.notices.Redraw();
   }
   const bool has_costs = state_.accelerators.HasNews(), has_rows = HasNewRows();

@@ -85,7 +85,7 @@ class Viewer {
   bool has_ticked_ = false, showed_traced_ = false, was_fading_ = false;
   double last_look_at_files_ = 0;  // seconds of ticks
   std::uint64_t changes_seen_ = 0;
-  std::string reading_;            // what was said of the scene that is being read
+  std::string progress_;  // of reading and rendering, as last shown
   std::shared_ptr<const Lines> lines_;
   bool lines_have_quad_frame_ = false;
   std::vector<std::uint32_t> versions_;  // of the rows of frames when last seen

@@ -23,6 +23,7 @@ struct ViewerSettings {
   ReferenceImage reference;
   bool shows_traced = false;     // from the start: what the view shows at rest is traced
   bool budget_of_rest = false;   // no budget was asked for, see TracedPictures::Update
+  bool shows_bar = false;        // the status bar, even without panels
   PanelSettings panels{};        // how they look when they are first shown
 };
 

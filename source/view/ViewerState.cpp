@@ -33,6 +33,7 @@ ViewerState::ViewerState(ViewerSettings begin, const LoadedScene& shown, ViewerH
       panels(MakePanels()),
       screen{{settings.render.width, settings.render.height}} {
   panels->SetLook(settings.panels);
+  panels->SetParts(Parts());
   pictures.SetReference(settings.reference);
 }
 

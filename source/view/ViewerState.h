@@ -112,6 +112,7 @@ struct ViewerState {
   } screen;
   bool is_closed = false;
 
+  PanelParts Parts() const { return {shows.panels, shows.help, shows.panels || settings.shows_bar}; }
   Layout layout() const;
   /// The settings to render what the view shows, pixel by pixel; and those of key S, for all of the drawing.
   RenderSettings SettingsOfView() const { return SettingsFor(layout().view); }

@@ -80,6 +80,7 @@ std::string FreeRaysName() {
 
 ViewerSettings SettingsFor(const ViewerOptions& options) {
   ViewerSettings settings{options.files.scene, options.parse, options.accelerator, options.render, {}};
+  settings.shows_bar = IsLookedAt(options.view);
   settings.budget_of_rest = IsLookedAt(options.view) && !options.IsGiven("samples") && options.render.samples == 1;
   settings.shows_traced = options.view.preview == "auto" ? IsLookedAt(options.view) && !options.view.exit_immediately
                                                          : options.view.preview == "traced";

@@ -90,14 +90,14 @@ void ChangeBoxLevel(ViewerState& viewer, int by) {
 
 void ToggleHelp(ViewerState& viewer) {
   viewer.shows.help = !viewer.shows.help;
-  viewer.panels->SetParts({viewer.shows.panels, viewer.shows.help});
+  viewer.panels->SetParts(viewer.Parts());
   viewer.notices.Tell(viewer.shows.help ? "help; type to search it, Escape closes it" : "help closed");
 }
 
 void ShowPanels(ViewerState& viewer, const PanelSettings& look) {
   viewer.panels->SetLook(look);
   viewer.shows.panels = true;
-  viewer.panels->SetParts({viewer.shows.panels, viewer.shows.help});
+  viewer.panels->SetParts(viewer.Parts());
   viewer.section_pane.drawing.reset();
   viewer.notices.RedrawLines();
 }
@@ -105,7 +105,7 @@ void ShowPanels(ViewerState& viewer, const PanelSettings& look) {
 void TogglePanels(ViewerState& viewer) {
   if (viewer.shows.panels) {
     viewer.shows.panels = false;
-    viewer.panels->SetParts({viewer.shows.panels, viewer.shows.help});
+    viewer.panels->SetParts(viewer.Parts());
     viewer.notices.RedrawLines();
     return viewer.notices.Tell("panels off");
   }

@@ -365,10 +365,8 @@ class ImGuiPanels : public Panels {
     PanelFrame frame(viewer, Scale(), items_, sought_);
     DrawLabels(labels_, Scale(), look_.theme);
     text_.clear();
-    if (parts_.column) {
-      DrawColumn(frame);
-      DrawBar(frame);
-    }
+    if (parts_.column) DrawColumn(frame);
+    if (parts_.bar) DrawBar(frame);
     if (parts_.help) DrawHelp(frame);
     ImGui::Render();
     for (const auto& action : frame.Asked()) action(viewer);
@@ -405,18 +403,21 @@ class ImGuiPanels : public Panels {
     ImGui::End();
   }
 
-  /// Above the view, as wide.
+  /// At the bottom, as wide as the view. Over the view it lets the image and clicks through.
   void DrawBar(PanelFrame& frame) {
-    const float wide = ImGui::GetIO().DisplaySize.x - static_cast<float>(Width(frame.viewer.screen.size.width));
+    constexpr float opacity_over_view = 0.6F;
+    const double column = parts_.column ? Width(frame.viewer.screen.size.width) : 0;
+    const float wide = ImGui::GetIO().DisplaySize.x - static_cast<float>(column);
     const auto high = static_cast<float>(HeightOfBar());
     ImGui::SetNextWindowPos({0, ImGui::GetIO().DisplaySize.y - high}, ImGuiCond_Always);
     ImGui::SetNextWindowSize({wide, high}, ImGuiCond_Always);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                         {2 * static_cast<float>(Pixels(bar_padding)), static_cast<float>(Pixels(bar_padding))});
-    ImGui::Begin(
-        "bar", nullptr,
-        fixed_window | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
+    if (!parts_.column) ImGui::SetNextWindowBgAlpha(opacity_over_view);
+    ImGui::Begin("bar", nullptr,
+                 fixed_window | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar |
+                     ImGuiWindowFlags_NoFocusOnAppearing | (parts_.column ? 0 : ImGuiWindowFlags_NoInputs));
     BeginText();
     DrawStatusBar(frame);
     EndText();
@@ -429,7 +430,7 @@ class ImGuiPanels : public Panels {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float left = parts_.column ? all.x - static_cast<float>(Width(frame.viewer.screen.size.width)) : all.x;
     const auto line = static_cast<float>(LettersOfLabels(Scale()).height);
-    const float bar = parts_.column ? static_cast<float>(HeightOfBar()) : 0, top = line;
+    const float bar = parts_.bar ? static_cast<float>(HeightOfBar()) : 0, top = line;
     const float wide = std::min(static_cast<float>(help_share) * left, static_cast<float>(Pixels(help_wide)));
     ImGui::SetNextWindowPos({std::floor((left - wide) / 2), std::floor(top)}, ImGuiCond_Always);
     // Below it a message has room.

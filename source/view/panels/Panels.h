@@ -19,8 +19,9 @@ struct PanelItem {
 
 /// Which parts of the panels are shown.
 struct PanelParts {
-  bool column = false;  // and the status bar
+  bool column = false;
   bool help = false;
+  bool bar = false;  // the status bar: below the view if there is a column, else over its lower edge
 };
 
 enum class PanelTheme { dark, light };

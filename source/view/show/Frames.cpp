@@ -136,7 +136,8 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
   shown.line_width = LineWidth(viewer);
   shown.labels = MakeLabels(viewer);
   for (Label& label : shown.labels) label.y += shown.bottom;
-  if (!shown.labels.empty() || viewer.shows.panels || viewer.shows.help)
+  const PanelParts parts = viewer.Parts();
+  if (!shown.labels.empty() || parts.column || parts.help || parts.bar)
     shown.panels = viewer.panels->Draw(viewer, shown.labels);
   return shown;
 }

@@ -128,7 +128,9 @@ std::vector<Label> MakeLabels(const ViewerState& viewer) {
     }
   if (!has_message) return labels;
   const auto lines = InLines(viewer.notices.Message(), columns);
-  y = edge + static_cast<double>(lines.size() - 1) * letters.height;
+  const bool has_bar_over_view = viewer.Parts().bar && !viewer.Parts().column;
+  y = edge + static_cast<double>(lines.size() - 1) * letters.height +
+      (has_bar_over_view ? viewer.panels->HeightOfBar() : 0);
   for (const std::string& line : lines) {
     labels.push_back({edge, y, line, {255, 255, 255, static_cast<std::uint8_t>(255 * strength)}});
     y -= letters.height;

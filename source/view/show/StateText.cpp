@@ -10,7 +10,8 @@
 namespace ray {
 
 std::string TextOfPanels(ViewerState& viewer) {
-  return viewer.shows.panels || viewer.shows.help ? viewer.panels->Text(viewer) : std::string();
+  const PanelParts parts = viewer.Parts();
+  return parts.column || parts.help || parts.bar ? viewer.panels->Text(viewer) : std::string();
 }
 
 std::string TitleOf(const ViewerState& viewer) {

@@ -119,7 +119,7 @@ class RandomUser {
     if (draw_.Whole(0, 4) > 0) settings.scene = folder_ / "hello.scn";
     settings.shows_traced = draw_.Whole(0, 1) == 1;
     settings.render.width = settings.render.height = 48;
-    settings.budget_of_rest = true;
+    settings.budget_of_rest = settings.shows_bar = true;
     const auto scene = settings.scene.empty()
                            ? std::make_shared<const LoadedScene>(ParsedScene{}, settings.accelerator)
                            : std::make_shared<const LoadedScene>(settings.scene, settings.parse, settings.accelerator);

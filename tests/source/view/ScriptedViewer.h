@@ -30,6 +30,7 @@ class ScriptedViewer : public ::testing::Test {
     settings.render.width = width;
     settings.render.height = height;
     settings.budget_of_rest = budget_of_rest;
+    settings.shows_bar = shows_bar_;
     viewer_ = std::make_unique<Viewer>(
         settings, std::make_shared<const LoadedScene>(scene, settings.parse, settings.accelerator), host_);
     viewer_->WaitForFaces();
@@ -53,6 +54,7 @@ class ScriptedViewer : public ::testing::Test {
     viewer_->Update();
   }
 
+  bool shows_bar_ = false;  // of viewers opened from now on
   Host host_;
   std::unique_ptr<Viewer> viewer_;
 };

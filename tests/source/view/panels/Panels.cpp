@@ -533,6 +533,23 @@ TEST_F(PanelTest, TheStatusBarTellsSceneProgressAndPixel) {
   EXPECT_TRUE(Says(pixel + "  ")) << viewer_->TextOfPanels();
 }
 
+TEST_F(PanelTest, TheStatusBarStaysWithoutPanelsAndLetsClicksThrough) {
+  EXPECT_FALSE(viewer_->Show().panels) << "a script draws the image alone";
+  shows_bar_ = true;
+  Open(project::Root() / "scenes/hello.scn");
+  EXPECT_TRUE(Says("hello.scn 512x512")) << viewer_->TextOfPanels();
+  EXPECT_TRUE(Says("H help  Tab panels"));
+  const double bar = viewer_->state().panels->HeightOfBar();
+  const FrameState shown = viewer_->Show();
+  EXPECT_EQ(shown.view.height, 512) << "the bar lies over the image";
+  ASSERT_TRUE(shown.panels);
+  EXPECT_TRUE(std::ranges::any_of(shown.panels->parts, [&](const auto& part) { return part.top >= 512 - bar; }));
+  Do("click left 256 4");
+  EXPECT_TRUE(viewer_->Picked());
+  Do("tick 9\nkey Tab");
+  EXPECT_EQ(viewer_->Show().view.height, 512 - bar);
+}
+
 // Keys that a sheet of help lies over still do what they say, but for those that are typed into it.
 TEST_F(PanelTest, TheHelpKeepsClicksFromThePictureBelow) {
   Do("key H\nclick left 256 256");
