@@ -81,7 +81,6 @@ void Viewer::On(const ResizeEvent& event) {
   if (size == state_.screen.size) return;
   state_.screen.size = size;
   state_.crop.reset();  // its pixels are others now
-  state_.pictures.Touch();
   state_.notices.RedrawLines();
 }
 
@@ -110,6 +109,8 @@ bool Viewer::Update() {
     if (ShowsFrameOfQuad(state_) != lines_have_quad_frame_) state_.notices.RedrawLines();
     state_.notices.Redraw();
   }
+  const DrawingSize view = state_.layout().view;  // panels and the cross section leave less of the drawing
+  if (view != std::exchange(size_of_view_, view)) state_.pictures.Touch();
   state_.pictures.Update(state_.scene.Shared(), state_.SettingsOfView(), state_.settings.budget_of_rest);
   if (state_.scene.TakeFaces()) state_.notices.Redraw();
   TakeEndedJobs(state_);

@@ -83,6 +83,7 @@ class Viewer {
   ViewerState state_;
   PointerInput pointer_;
   bool has_ticked_ = false, showed_traced_ = false, was_fading_ = false;
+  DrawingSize size_of_view_;       // when last updated
   double last_look_at_files_ = 0;  // seconds of ticks
   std::uint64_t changes_seen_ = 0;
   std::string progress_;  // of reading and rendering, as last shown

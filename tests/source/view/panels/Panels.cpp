@@ -571,6 +571,23 @@ TEST_F(PanelTest, TheHelpIsAboveTheStatusBar) {
   EXPECT_GT(above, 0);
 }
 
+// It was stretched over what the panels left of the view.
+TEST_F(PanelTest, TheTracedImageIsTracedAgainForTheViewBesideThem) {
+  viewer_->state().pictures.ShowLive({});
+  const auto check = [&](const char* key) {
+    Do(std::string("key ") + key + "\nwait trace");
+    const Frame& frame = viewer_->Pictures().ShownLive()->frame();
+    const DrawingSize view = viewer_->Show().view;
+    EXPECT_EQ(frame.Width(), view.width) << key;
+    EXPECT_EQ(frame.Height(), view.height) << key;
+    return view.width;
+  };
+  const int beside_panels = check("Tab"), beside_both = check("X");
+  EXPECT_LT(beside_panels, 512);
+  EXPECT_LT(beside_both, beside_panels);
+  EXPECT_GT(check("Tab"), beside_both);
+}
+
 TEST_F(PanelTest, LeaveTheCutBesideThem) {
   Do("resize 1000 600\nkey X\nkey Tab");
   const FrameState shown = viewer_->Show();
