@@ -69,6 +69,8 @@ struct RenderSummary {
   // How much of what the samples might find was cut off by settings, as throughput. Where that is as bright as the
   // picture is, so much of the picture's light is missing.
   double share_cut = 0;
+  /// Returns true if users should know of the light that is missing.
+  bool MissesLight() const { return share_cut > 0.02; }
   Stop stop = Stop::samples;
   SampleCounts samples;
   std::vector<std::uint32_t> block_samples;  // per pixel and stream, by blocks of the film

@@ -174,8 +174,7 @@ void RunLog::Rendered(const RenderResult& result) {
         "raypro: warning: no path from a surface to a lamp by way of mirrors or glass was found; caustics that are so "
         "rare may make the true error larger than estimated, up to " +
         ErrorText(result.error->high, result.error->unit));
-  constexpr double share_to_report = 0.02;
-  if (result.share_cut > share_to_report)
+  if (result.MissesLight())
     Hint("raypro: warning: " + Rounded(100 * result.share_cut, 2) + "% of the light ended at " + LimitsOfLight(stats_) +
          "; the image is about that much too dark");
   if (result.rays.cut > 0)

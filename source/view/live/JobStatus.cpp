@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "source/render/SceneFeatures.h"
+#include "source/text/NumberText.h"
 #include "source/text/Words.h"
 
 namespace ray {
@@ -38,6 +40,15 @@ std::string ClaimOf(const RenderResult& result) {
   const ErrorEstimate& e = *result.error;
   return std::string(result.two_streams ? "estimated error " : "estimated error at most ") +
          ErrorText(e.estimate, e.unit) + " (" + Rounded(e.low, 3) + " to " + Rounded(e.high, 3) + "), " + samples;
+}
+
+std::string MissingLightOf(const RenderJob& job) {
+  if (!job.IsComplete() || !job.Result()->MissesLight()) return {};
+  std::string limits;
+  for (const std::string& setting : SourcesOfBias(FeaturesOf(job.scene().world, job.Settings()), job.Settings()))
+    if (setting.starts_with("max_depth") || setting.starts_with("min_luminance"))
+      limits += (limits.empty() ? "-" : ", -") + setting;
+  return limits.empty() ? "" : Rounded(100 * job.Result()->share_cut, 2) + "% of the light ended at " + limits;
 }
 
 namespace {

@@ -14,6 +14,10 @@ std::string StatusOf(const RenderJob& job);
 /// What is known of the picture of a job that is complete: "estimated error 1.8/255 (1.7 to 1.9), 64 samples".
 std::string ClaimOf(const RenderResult& result);
 
+/// Returns "30% of the light ended at -max_depth 3, -min_luminance 0.01" for an image that is too dark by so much; empty
+/// for others.
+std::string MissingLightOf(const RenderJob& job);
+
 /// How far the image that is rendered has come, in words that change slowly enough to be read.
 class RenderStatus {
  public:

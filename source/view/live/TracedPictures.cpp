@@ -277,9 +277,11 @@ const TracedPictures::FalseColors& TracedPictures::InFalseColors() const {
 }
 
 std::string TracedPictures::ScaleOfComparison() const {
-  if (!reference_ || !ShowsFalseColors()) return {};
+  if (!reference_ || (!ShowsFalseColors() && comparing_ != Comparing::difference)) return {};
   const FalseColors& shown = InFalseColors();
   if (!shown.image) return {};
+  if (shown.largest == 0) return "the image equals the reference";  // all is black
+  if (comparing_ == Comparing::difference) return {};
   if (comparing_ == Comparing::flip)
     return "FLIP, black 0, white 1: mean " + Rounded(shown.mean, 3) + ", largest " + Rounded(shown.largest, 3);
   constexpr double bytes = 255;

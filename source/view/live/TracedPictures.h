@@ -97,7 +97,7 @@ class TracedPictures {
   std::string Comparison() const;
   /// The image shown instead of the current picture while comparing; null when none is.
   std::shared_ptr<const R2::Image> Compared() const;
-  /// What false colors stand for, in words; empty where none are shown.
+  /// Returns the scale of false colors, or that the image equals the reference; empty if neither is to be said.
   std::string ScaleOfComparison() const;
   /// Whether Compared has colors that stand for numbers.
   bool ShowsFalseColors() const { return comparing_ == Comparing::false_colors || comparing_ == Comparing::flip; }

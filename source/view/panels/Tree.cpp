@@ -71,6 +71,15 @@ std::optional<std::size_t> Tree::DrawLine(PanelFrame& frame, const Line& line, c
   constexpr double step = 10;         // units of length per level
   const auto indent = static_cast<float>(std::min(line.depth, deepest_indent) * step * frame.scale);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
+  if (source.color_of) {
+    const Rgba color = source.color_of(line.node);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float side = ImGui::GetTextLineHeight();
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side},
+                                              IM_COL32(color[0], color[1], color[2], 255));
+    ImGui::Dummy({side, side});
+    ImGui::SameLine();
+  }
   const std::string text = source.text_of(line.node);
   auto flags = ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth |
                ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_OpenOnDoubleClick;

@@ -18,6 +18,7 @@ class Tree {
     std::vector<std::size_t> roots;
     std::function<std::vector<std::size_t>(std::size_t)> children_of;
     std::function<std::string(std::size_t)> text_of;
+    std::function<Rgba(std::size_t)> color_of{};  // of the swatch before the text; empty for none
   };
 
   /// Whether the node's children are listed.

@@ -121,9 +121,12 @@ class PixelPanel : public Panel {
         is_counted |= left_out_.contains(static_cast<std::size_t>(up));
       if (!is_counted) rest = rest - contribution_[ray] / static_cast<double>(pixel.samples.size());
     }
-    const Rgba shown = Shown(frame.viewer.settings.render.srgb ? EncodeSrgb(Clamped(rest)) : rest);
-    DrawSwatch(std::array<Rgba, 1>{shown});
+    DrawSwatch(std::array<Rgba, 1>{AsSeen(frame, rest)});
     frame.Fact("pixel without", Brief(rest));
+  }
+
+  static Rgba AsSeen(const PanelFrame& frame, const R2::Color& light) {
+    return Shown(frame.viewer.settings.render.srgb ? EncodeSrgb(Clamped(light)) : light);
   }
 
   /// What each ray leads to, and what all of that contributes; read again for each trace of a pixel.
@@ -169,8 +172,12 @@ class PixelPanel : public Panel {
       return text;
     };
     const auto chosen = frame.viewer.rays.Look().chosen;
-    const auto clicked =
-        rays_.Draw(frame, "rays", {roots_, [&](std::size_t i) { return children_[i]; }, text_of}, pixel_lines, chosen);
+    const auto color_of = [&](std::size_t i) {
+      return AsSeen(frame, left_out_.contains(i) ? R2::Color{}
+                                                 : contribution_[i] / static_cast<double>(pixel.samples.size()));
+    };
+    const auto clicked = rays_.Draw(frame, "rays", {roots_, [&](std::size_t i) { return children_[i]; }, text_of, color_of},
+                                    pixel_lines, chosen);
     if (!clicked) return;
     frame.Ask(
         [ray = *clicked, chosen](ViewerState& v) { ChooseRay(v, ray == chosen ? std::nullopt : std::optional(ray)); });

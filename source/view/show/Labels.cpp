@@ -9,6 +9,7 @@
 #include "source/text/Words.h"
 #include "source/view/HelpText.h"
 #include "source/view/commands/Commands.h"
+#include "source/view/live/JobStatus.h"
 
 namespace ray {
 namespace {
@@ -105,6 +106,8 @@ std::vector<Label> MakeLabels(const ViewerState& viewer) {
   }
   if (viewer.scene.ShowsNothing() && viewer.scene.Mistakes().empty())
     upper.emplace_back("the scene has no shapes", text_color);
+  if (const RenderJob* job = viewer.Parts().bar ? viewer.pictures.Job() : nullptr)
+    if (std::string text = MissingLightOf(*job); !text.empty()) upper.emplace_back(std::move(text), text_color);
   if (std::string text = viewer.pictures.ScaleOfComparison(); !text.empty())
     upper.emplace_back(std::move(text), text_color);
   if (std::string text = TextOfProjection(viewer); !text.empty()) upper.emplace_back(std::move(text), text_color);

@@ -175,8 +175,35 @@ TEST_F(ViewerTest, FalseColorsRunFromNoDifferenceToTheLargest) {
       R2::Flip(R2::Displayed(*current, R2::Display::straight), R2::Displayed(*reference, R2::Display::straight)));
   EXPECT_NE(viewer_->Pictures().ScaleOfComparison().find("mean " + Rounded(mean, 3)), std::string::npos);
   Do("key R");  // now the image is its own reference
-  EXPECT_NE(viewer_->Pictures().ScaleOfComparison().find("mean 0,"), std::string::npos)
-      << viewer_->Pictures().ScaleOfComparison();
+  EXPECT_EQ(viewer_->Pictures().ScaleOfComparison(), "the image equals the reference");
+}
+
+// An equal pair was an all-black image without a word.
+TEST_F(ViewerTest, AnEqualReferenceIsNamedOnTheImage) {
+  const auto seen = [&] {
+    std::string all;
+    for (const Label& label : viewer_->Show().labels) all += label.text + " ";
+    return all;
+  };
+  Do("resize 640 480\nkey P\nwait trace\nkey R\nkey D\ntick 9");
+  EXPECT_NE(seen().find("the image equals the reference"), std::string::npos) << seen();
+  Do("key [\nwait trace\ntick 9");
+  EXPECT_EQ(seen().find("equals"), std::string::npos) << seen();
+}
+
+TEST_F(ViewerTest, LightThatMaxDepthCutsOffIsNamedOnTheImage) {
+  shows_bar_ = true;
+  const auto seen = [&](const std::string& scene, int depth) {
+    RenderSettings settings;
+    settings.trace.max_depth = depth;
+    Open(project::Root() / "scenes" / scene, settings);
+    Do("resize 640 480\nkey P\nwait trace\ntick 9");
+    std::string all;
+    for (const Label& label : viewer_->Show().labels) all += label.text + " ";
+    return all;
+  };
+  EXPECT_NE(seen("drink.scn", 3).find("% of the light ended at -max_depth 3"), std::string::npos);
+  EXPECT_EQ(seen("cone.scn", 3).find("of the light ended"), std::string::npos);
 }
 
 // A student was told of an error that was not there: the file that raypro writes is clamped and rounded.
