@@ -64,7 +64,7 @@ TEST(Raygrade, AProgramBehindALinkIsFoundInTheSandbox) {
   EXPECT_TRUE(Has(place.Graded(std::string("-- linked/tracer {scene} {image}") + size), "a: 1/1"));
 }
 
-TEST(Raygrade, AMissingProgramIsSaidBeforeAnyPointsAre) {
+TEST(Raygrade, AMissingProgramIsReportedBeforeAnyPoints) {
   NEEDS_RAYGRADE();
   const TeachersFolder place;
   WriteFile(place / "plain", "text");
@@ -113,7 +113,7 @@ TEST(Raygrade, ProgramsAreBuiltInCopiesAndTheirLogIsOnThePage) {
   EXPECT_FALSE(fs::exists(place / "handed_in/amy/tracer")) << "the submission has changed";
 }
 
-TEST(Raygrade, CommentsByHandOutliveResume) {
+TEST(Raygrade, CommentsOfTeachersOutliveResume) {
   NEEDS_RAYGRADE();
   const TeachersFolder place;
   place.AddTracer("handed_in/amy");
@@ -138,7 +138,7 @@ TEST(Raygrade, OptionsWithoutEffectAreAnError) {
   EXPECT_TRUE(Has(printed, "suite.yaml:5:14: error: the option '-fresnel' does not change the image of a")) << printed;
 }
 
-TEST(Raygrade, TheCommandOfABuildHasLimitsOfItsOwn) {
+TEST(Raygrade, TheBuildCommandHasItsOwnLimits) {
   NEEDS_RAYGRADE();
   const TeachersFolder place;
   WriteFile(place / "suite.yaml", "width: 32\nheight: 24\nbuild_seconds: 0.5\nscenes:\n  - scene: a.scn\n");

@@ -66,7 +66,7 @@ TEST(Grader, TwoMistakesAreNamedTogether) {
   EXPECT_TRUE(Has(scene.mistakes, "one_bounce_less") && Has(scene.mistakes, "no_shadows")) << scene.mistakes;
 }
 
-TEST(Grader, AnImageOfAnotherSizeSaysSo) {
+TEST(Grader, AnImageOfAnotherSizeIsReported) {
   NEEDS_A_PROGRAM_TO_GRADE();
   const auto scene = GradeRaypro({"-width", "90", "-height", "120"}).scenes[0];
   EXPECT_EQ(scene.outcome, Outcome::failed);
@@ -112,14 +112,14 @@ TEST(Grader, TheClassHasItsMaximumMeanAndMedian) {
   EXPECT_TRUE(Has(ClassCsv(students), "(median),mirrors,8,4,"));
 }
 
-TEST(Grader, PagesHoldNoScriptAndNoForeignText) {
+TEST(Grader, PagesContainNoScriptsAndNoForeignMarkup) {
   grade::StudentResult student{.name = "<script>", .scenes = {}};
   const std::string page = StudentPage(student, MirrorSuite(), "");
   EXPECT_FALSE(Has(page, "<script")) << page;
   EXPECT_TRUE(Has(page, "&lt;script&gt;"));
 }
 
-TEST(Base64, GivesTheExamplesOfItsStandard) {
+TEST(Base64, MatchesTheExamplesOfItsStandard) {
   const auto of = [](const std::string& text) {
     return grade::Base64(std::span(reinterpret_cast<const unsigned char*>(text.data()), text.size()));
   };

@@ -76,7 +76,7 @@ TEST(Mistakes, ACopiedSceneIsRenderedAsTheOriginal) {
   }
 }
 
-TEST(Mistakes, NoneChangesTheSceneItIsMadeOf) {
+TEST(Mistakes, NoneChangesItsSourceScene) {
   const grade::Suite suite = SmallSuite("cos426");
   const grade::SuiteScene& of = suite.scenes.front();
   const grade::SceneToRender loaded = raygrade::LoadScene(of, of.file);
@@ -138,7 +138,7 @@ struct OneScene {
 
 // A program of Groningen without a normal buffer showed ambient light instead, and raygrade named a camera that looks
 // backwards: that image is black, and black was closer to the dark image than normals were.
-TEST(Mistakes, WhatIsDarkIsNotTakenForBlack) {
+TEST(Mistakes, DarkImagesAreNotTakenForBlack) {
   OneScene scene("groningen", "normals");
   R2::Image dim = scene.Images().Reference();
   for (int y = 0; y < dim.Height(); ++y)
@@ -173,7 +173,7 @@ TEST(Mistakes, DarkSpecksOnLitSurfacesAreAcne) {
 }
 
 // The second mistake was chosen for a first one that stood for another, and light that fades with the square was named.
-TEST(Mistakes, TheFirstOfTwoIsLookedForAgain) {
+TEST(Mistakes, TheFirstOfTwoIsSearchedAgain) {
   OneScene scene("groningen", "shadows");
   const R2::Image student =
       scene.Images().AsOfAnother({MistakeNamed("spheres_missing"), MistakeNamed("divided_by_pi")});
@@ -186,7 +186,7 @@ TEST(Mistakes, AThinSurfaceLitFromBehindShowsAnAbsoluteCosine) {
   EXPECT_TRUE(IsVisible(scene.Images(), {MistakeNamed("absolute_cosine")}));
 }
 
-TEST(Mistakes, ShadowsWhereLightGrazesASmoothMeshAreTold) {
+TEST(Mistakes, ShadowTerminatorsOnSmoothMeshesAreReported) {
   OneScene scene("cos426", "smooth");
   const auto closed = scene.Images().With({MistakeNamed("no_diffuse"), MistakeNamed("no_highlight")}),
              flat = scene.Images().With({MistakeNamed("flat_shading")});

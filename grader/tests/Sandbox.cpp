@@ -67,7 +67,7 @@ TEST(Sandbox, FilesStayBelowTheirLimit) {
   }
 }
 
-TEST(Sandbox, ASignalIsToldByName) {
+TEST(Sandbox, ASignalIsReportedByName) {
   for (const Sandbox& sandbox : Sandboxes()) {
     const Workplace place;
     const RunResult result = RunHostile(sandbox, place, "crasher");
@@ -82,7 +82,7 @@ TEST(Sandbox, MemoryHasALimit) {
   }
 }
 
-TEST(Sandbox, KindsOfDeathAreToldApart) {
+TEST(Sandbox, KindsOfFailureAreDistinguished) {
   for (const Sandbox& sandbox : Sandboxes()) {
     const Workplace place;
     const auto end = [&](const std::vector<std::string>& command) {
@@ -106,7 +106,7 @@ TEST(Sandbox, KindsOfDeathAreToldApart) {
 }
 
 // It was aborted before it was the program, because its arguments did not fit into the grader's free memory.
-TEST(Sandbox, AProgramMayHaveLessMemoryThanTheGraderTakesItself) {
+TEST(Sandbox, AProgramMayHaveLessMemoryThanTheGraderUses) {
   constexpr std::size_t much = std::size_t{1} << 28;
   const std::unique_ptr<char[]> of_the_grader(new char[much]);
   const Workplace place;
@@ -142,7 +142,7 @@ TEST(Sandbox, AStoppedGraderStopsTheProgram) {
   }
 }
 
-TEST(Sandbox, BubblewrapKeepsFilesAsTheyAre) {
+TEST(Sandbox, BubblewrapProtectsFiles) {
   const Sandbox sandbox(Sandbox::Mode::automatic);
   if (!sandbox.IsolatesPrograms()) GTEST_SKIP() << sandbox.Describe();
   const Workplace place, scenes, other;
