@@ -2,7 +2,7 @@
 
 #include "bench/TradeSampling.h"
 #include "source/film/Film.h"
-#include "source/film/error/PictureError.h"
+#include "source/film/error/ImageError.h"
 #include "tests/Named.h"
 
 /// What a picture says of its own error, what it does about it, and what that costs.

@@ -145,15 +145,15 @@ Answers Trace(const ray::Accelerator& accelerator, const Kind& kind, std::size_t
   answers.t.reserve(kind.rays.size());
   if (packet > 1 && kind.is_coherent) {
     std::optional<ray::WorldHit> hits[most_rays_of_packet];
-    bool are_occluded[most_rays_of_packet];
+    bool is_occluded[most_rays_of_packet];
     for (std::size_t first = 0; first < kind.rays.size(); first += packet) {
       const std::span rays(kind.rays.data() + first, std::min(packet, kind.rays.size() - first));
       if (kind.any)
-        accelerator.IsOccluded(rays, are_occluded, workspace);
+        accelerator.IsOccluded(rays, is_occluded, workspace);
       else
         accelerator.Intersect(rays, hits, workspace);
       for (std::size_t i = 0; i < rays.size(); ++i)
-        answers.t.push_back(kind.any ? (are_occluded[i] ? 0 : R3::infinity) : hits[i] ? hits[i]->t : R3::infinity);
+        answers.t.push_back(kind.any ? (is_occluded[i] ? 0 : R3::infinity) : hits[i] ? hits[i]->t : R3::infinity);
     }
     answers.counts = workspace.counts;
     return answers;

@@ -21,7 +21,7 @@ using R2::Image;
 
 bool AreOfOneSize(const Image& a, const Image& b) { return a.Width() == b.Width() && a.Height() == b.Height(); }
 
-/// The sum of the squared differences of displayed channels, beyond what rounding to bytes makes.
+/// Returns the sum of the squared differences of displayed channels, beyond those of rounding to bytes.
 double SquaresBeyondRounding(const Image& a, const Image& b) {
   constexpr float rounding = 1.5F / 255;
   const auto &p = a.Channels(), &q = b.Channels();
@@ -35,7 +35,7 @@ double SquaresBeyondRounding(const Image& a, const Image& b) {
 
 Image Shown(const Image& image) { return R2::Displayed(image, R2::Display::straight); }
 
-/// The best cause so far.
+/// A search for the cause that explains most.
 class Search {
  public:
   Search(const Image& image, const Image& reference)
@@ -47,19 +47,19 @@ class Search {
   const Image& image() const { return shown_image_; }
   const Image& reference() const { return shown_reference_; }
 
-  /// `made` is what the cause makes of the reference.
+  /// Tries a cause. `made`: the reference with the cause applied.
   void Try(const Image& made, const std::string& name, const std::string& title, const std::string& hint = {}) {
     if (AreOfOneSize(made, shown_image_))
       Keep({name, title, hint, 1 - SquaresBeyondRounding(Shown(made), shown_image_) / of_reference_});
   }
-  /// `made` is what the cause makes of the image.
+  /// Tries a cause in the reference. `made`: the image with the cause applied.
   void TryInReference(const Image& made, const std::string& name, const std::string& title, const std::string& hint) {
     if (AreOfOneSize(made, shown_reference_))
       Keep({name + "_in_reference", "in the reference " + title, hint,
             1 - SquaresBeyondRounding(Shown(made), shown_reference_) / of_reference_});
   }
   void Keep(const Cause& cause) {
-    constexpr double clearly = 0.005;  // what bytes leave of equal images
+    constexpr double clearly = 0.005;  // remainder of equal images after rounding to bytes
     if (cause.share > (best_ ? best_->share + clearly : named_above)) best_ = cause;
   }
 
@@ -67,11 +67,11 @@ class Search {
 
  private:
   Image shown_image_, shown_reference_;
-  double of_reference_;  // nothing but 1 where the sizes differ
+  double of_reference_;  // 1 if the sizes differ
   std::optional<Cause> best_;
 };
 
-/// Turns that may swap width and height; those that never do are mistakes of the table.
+/// Tries rotations that may swap width and height; those that never do are mistakes of the table.
 void TryTurns(Search& search, const Image& r) {
   const int width = r.Height(), height = r.Width();
   const auto turned = [&](const auto& from) { return Moved(r, width, height, from); };
@@ -128,7 +128,7 @@ void TryOrders(Search& search, const Image& r) {
                "In which order does the file want its channels?");
 }
 
-/// One factor for all, by least squares where neither is clamped.
+/// Tries one factor for all channels, by least squares where neither value is clamped.
 void TryFactor(Search& search, const Image& image, const Image& reference) {
   const auto &x = search.image().Channels(), &r = search.reference().Channels();
   double products = 0, squares = 0;
@@ -148,7 +148,8 @@ void TryFactor(Search& search, const Image& image, const Image& reference) {
                         "Does the image lack a factor, such as pi?");
 }
 
-/// A reference of bytes does not know how far beyond 1 a value was, but where: there, and nowhere else, it differs.
+/// Tries values that wrap around. A reference of bytes does not contain values above 1, but the places where it is 1:
+/// there, and nowhere else, the image differs.
 void TryWrapped(Search& search) {
   constexpr float saturated = 254.5F / 255, much = 0.25F;
   const auto &x = search.image().Channels(), &r = search.reference().Channels();
@@ -183,20 +184,20 @@ void TryShift(Search& search) {
                shift->share});
 }
 
-/// What the formats of the files lose, if that is all there is.
+/// Returns the loss of the files' formats, if that explains the whole difference.
 std::optional<Cause> OfFormat(const Search& search, const R2::DecodedImage& image, const R2::DecodedImage& reference) {
   const auto name = [](const R2::DecodedImage& one) { return std::string(one.format->name); };
   if (search.IsRounding()) {
     if (image.format->is_linear != reference.format->is_linear)
       return Cause{"format",
                    "a " + (image.format->is_linear ? name(reference) : name(image)) +
-                       " holds values from 0 to 1 in steps; otherwise the images are equal",
+                       " stores only quantized values from 0 to 1; otherwise the images are equal",
                    "", 1};
-    return Cause{"rounding", "values differ by one step of 255 at most where a screen shows them", "", 1};
+    return Cause{"rounding", "displayed values differ by at most 1/255", "", 1};
   }
   if (name(image) != "jpeg" && name(reference) != "jpeg") return {};
   if (!DiffersLikeJpeg(search.image(), search.reference())) return {};
-  return Cause{"format", "JPEG changes as much when it compresses the reference", "", 1};
+  return Cause{"format", "the difference is that of compressing the reference as JPEG", "", 1};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace ray::grade {
 namespace {
 
-/// Parents before children, on a stack: graphs may be deep.
+/// Visits parents before children, with a stack, since graphs may be deep.
 template <typename Visit>
 std::vector<Node*> InOrder(Node& root, const Visit& visit) {
   std::vector<Node*> all, open{&root};
@@ -66,7 +66,7 @@ R3::Matrix Product(const R3::Matrix& a, const R3::Matrix& b) {
   return product;
 }
 
-/// A leaf with all that it inherits.
+/// A leaf with all properties that it inherits.
 struct Leaf {
   Node* node;
   R3::Matrix reversed;
@@ -92,7 +92,7 @@ std::vector<Leaf> LeavesOf(Node& root) {
 
 }  // namespace
 
-// The names of all members are listed, so that one that is added must be copied as well.
+// Lists the names of all members, so that a new one must be copied as well.
 Scene Copied(const Scene& scene) {
   const auto& [root, materials, lights, camera, background, ambient, environment, has_default_camera,
                has_default_lights, is_mirrored, shadow_bias, settings, files] = scene;
@@ -146,7 +146,7 @@ void PutPolesAlongY(Scene& scene) {
   for (Node* node : InOrder(scene.root, [](Node&) {})) {
     const auto sphere = node->shape ? node->shape->AsSphere() : std::nullopt;
     if (!sphere) continue;
-    // y and z change places about the center.
+    // y and z are exchanged about the center.
     const double between = sphere->center.y - sphere->center.z;
     Node ball;
     ball.shape = node->shape;

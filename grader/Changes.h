@@ -9,16 +9,17 @@
 #include "R3/Recipe.h"
 #include "source/scene/Scene.h"
 
-/// Small changes that mistakes are made of.
+/// Small changes from which mistakes are composed.
 namespace ray::grade {
 
-/// A scene of its own with the same shapes and textures, which are shared.
+/// Returns a separate scene that shares the shapes and textures.
 Scene Copied(const Scene& scene);
 
 /// Applies `change` to each material.
 void ChangeMaterials(Scene& scene, const std::function<void(Material&)>& change);
 
-/// Makes each light again from its recipe after `change`; `at` finds an argument by its name, null where there is none.
+/// Creates each light again from its recipe after `change`; `at` returns an argument by its name, null if there is
+/// none.
 struct LightArguments {
   std::string kind;
   R3::Recipe& recipe;
@@ -26,24 +27,24 @@ struct LightArguments {
 };
 void ChangeLights(Scene& scene, const std::function<void(LightArguments&)>& change);
 
-/// Applies `change` to the matrix of every group, and finds their bounds anew.
+/// Applies `change` to the matrix of every group, and computes their bounds again.
 void ChangeTransforms(Scene& scene, const std::function<R3::Matrix(const R3::Matrix&)>& change);
-/// Leaves out the transforms of groups within groups that have one.
+/// Removes the transforms of groups within groups that have one.
 void IgnoreNestedTransforms(Scene& scene);
-/// Turns the texture coordinates of spheres so that their poles lie along y, and leaves the spheres where they are.
+/// Rotates the texture coordinates of spheres so that their poles are along y, without moving the spheres.
 void PutPolesAlongY(Scene& scene);
-/// Replaces the image of each texture by `change` of it.
+/// Applies `change` to the image of each texture.
 void ChangeTextures(Scene& scene, const std::function<R2::Image(const R2::Image&)>& change);
-/// Nested transforms are multiplied in the wrong order: those of a child before those of its parent.
+/// Multiplies nested transforms in the wrong order: those of a child before those of its parent.
 void ReverseTransforms(Scene& scene);
-/// Takes the shapes away that `is_lost` holds for.
+/// Removes the shapes for which `is_lost` returns true.
 void RemoveShapes(Scene& scene, const std::function<bool(const R3::Shape&)>& is_lost);
 
 /// Applies `change` to each color.
 R2::Image EachColor(const R2::Image& image, const std::function<R2::Color(const R2::Color&)>& change);
 R2::Image EachChannel(const R2::Image& image, double (*change)(double));
-/// An image of width x height whose pixels come from elsewhere: `from` gives the place in the old one, which is clamped
-/// to its edge.
+/// Returns an image of width x height whose pixels come from elsewhere: `from` returns the place in the old image,
+/// which is clamped to its edge.
 struct PixelPlace {
   int x, y;
 };

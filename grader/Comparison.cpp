@@ -15,7 +15,7 @@ std::size_t IndexOf(const R2::Image& image, int x, int y) {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.Width()) + static_cast<std::size_t>(x);
 }
 
-/// Three standard deviations of the mean of the runs, of each cell.
+/// Returns three standard deviations of the mean of the runs, for each cell.
 std::vector<double> NoiseOf(const std::vector<R2::Image>& runs, const R2::Image& mean, const SceneImages& images) {
   std::vector<double> noise(images.Cells(mean).Channels().size() / 3, 0.0);
   if (runs.size() < 2) return noise;

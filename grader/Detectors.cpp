@@ -20,7 +20,7 @@ bool IsOfOneColor(const R2::Image& image) {
   return true;
 }
 
-/// The number of single pixels that show the background where a surface should be.
+/// Returns the number of single pixels that show the background instead of a surface.
 std::int64_t BackgroundSpecks(const Submission& student, const Comparison& found, const SceneImages& images) {
   std::int64_t count = 0;
   const R2::Image& expected = images.Reference();
@@ -40,7 +40,7 @@ std::int64_t BackgroundSpecks(const Submission& student, const Comparison& found
   return count;
 }
 
-/// A mistake of the table.
+/// Returns a mistake of the table by its name.
 const Mistake* Named(std::string_view name) {
   return *std::ranges::find_if(Mistakes(), [&](const Mistake* mistake) { return mistake->name == name; });
 }
@@ -61,7 +61,7 @@ std::optional<std::string> EmptyRemark(const R2::Image& image) {
 }
 
 std::optional<std::string> CrackRemark(const Submission& student, const Comparison& found, const SceneImages& images) {
-  constexpr double share_of_specks = 0.002;  // of the steady pixels: 40 of an image of 160 x 120
+  constexpr double share_of_specks = 0.002;  // of the steady pixels: 40 in an image of 160 x 120
   if (images.CellSide() > 1) return {};
   const std::int64_t count = BackgroundSpecks(student, found, images);
   const auto least = static_cast<std::int64_t>(share_of_specks * static_cast<double>(found.steady));
@@ -72,7 +72,7 @@ std::optional<std::string> CrackRemark(const Submission& student, const Comparis
 }
 
 std::optional<std::string> TerminatorRemark(const Submission& student, const Comparison& found, SceneImages& images) {
-  constexpr double most = 0.8;  // of what differs
+  constexpr double most = 0.8;  // of the differing pixels
   const auto flat = images.With({Named("flat_shading")}), open = images.With({Named("no_shadows")}),
              closed = images.With({Named("no_diffuse"), Named("no_highlight")});
   if (images.CellSide() > 1 || !flat || !open || !closed) return {};
@@ -89,8 +89,8 @@ std::optional<std::string> TerminatorRemark(const Submission& student, const Com
       count += found.differs[i] && is_smooth && is_of_shadow;
     }
   if (!(static_cast<double>(count) > most * static_cast<double>(found.differing))) return {};
-  return "Shadow terminator: what differs (" + PercentOf(count, found) +
-         ") lies where light grazes smooth meshes. There the blended normal faces the light though the triangle does "
+  return "Shadow terminator: the differing pixels (" + PercentOf(count, found) +
+         ") are where light grazes smooth meshes. There the blended normal faces the light though the triangle does "
          "not: a shadow ray is tested against the triangles as they are, its own included.";
 }
 

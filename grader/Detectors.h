@@ -7,14 +7,14 @@
 
 namespace ray::grade {
 
-/// A sentence about an image that is black or has one color.
+/// Returns a sentence about an image that is black or has one color.
 std::optional<std::string> EmptyRemark(const R2::Image& image);
 
-/// A sentence about cracks between triangles: single pixels that show the background.
+/// Returns a sentence about cracks between triangles: single pixels that show the background.
 std::optional<std::string> CrackRemark(const Submission& student, const Comparison& found, const SceneImages& images);
 
-/// A sentence about shadow terminators: the image differs where light grazes smooth meshes and the blended normal faces
-/// it though the triangle does not.
+/// Returns a sentence about shadow terminators: the image differs where light grazes smooth meshes, so that the blended
+/// normal faces it though the triangle does not.
 std::optional<std::string> TerminatorRemark(const Submission& student, const Comparison& found, SceneImages& images);
 
 }  // namespace ray::grade

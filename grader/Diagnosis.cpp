@@ -12,12 +12,12 @@ namespace {
 
 constexpr double most_cost = 2;  // of a scene
 
-/// A hypothesis, and how badly it fits: a scene that is explained costs nothing, one that is as far from the student's
-/// image as the reference is costs 1, one that contradicts it costs `most_cost`.
+/// A hypothesis with its cost. A scene that it explains costs 0; one whose image is as far from the student's as the
+/// reference is costs 1; one that contradicts it costs `most_cost`.
 struct Scored {
   Hypothesis hypothesis;
   double cost = 0;
-  double squares = 0;  // that are left in scenes that differ
+  double squares = 0;  // remaining in scenes that differ
 };
 
 bool IsBetter(const Scored& a, const Scored& b) {
@@ -36,13 +36,13 @@ class CauseSearch {
       const SceneImages& images = *exhibit.images;
       base_.push_back(FitOf(exhibit, images.Reference()).value_or(Fit{}));
       const R2::Image black(images.Reference().Width(), images.Reference().Height());
-      // Else a mistake that takes all light away would be named for whatever is dark.
+      // Otherwise a mistake that removes all light would be named for any dark image.
       const auto of_black = FitOf(exhibit, black);
       simplest_.push_back(of_black ? std::min(base_.back().squares, of_black->squares) : base_.back().squares);
     }
     order_.resize(exhibits_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    // What differs most rejects most.
+    // Scenes with the largest difference first, since they reject most hypotheses.
     std::ranges::stable_sort(order_, [&](std::size_t a, std::size_t b) {
       if (exhibits_[a].is_right != exhibits_[b].is_right) return exhibits_[b].is_right;
       return base_[a].squares > base_[b].squares;
@@ -69,13 +69,13 @@ class CauseSearch {
   bool HasRightScene() const {
     return std::ranges::any_of(exhibits_, [](const Exhibit& exhibit) { return exhibit.is_right; });
   }
-  /// True if what is left of the difference in a scene is what rounding and another program's edges leave.
+  /// Returns true if the remaining difference in a scene is that of rounding and of another program's edges.
   bool IsWhole(std::size_t scene, const Fit& fit) const {
     const double allowed = exhibits_[scene].images->scene().allowed;
     const auto& [squares, percent, specks] = base_[scene];
     if (fit.percent <= allowed) return true;
-    // Measured with a camera a tenth of a pixel aside: mistakes that move things a little leave 7% of the squares, at
-    // edges, on 4% of the pixels that differ. Those that change much leave 2% of the squares.
+    // Measured with a camera shifted by a tenth of a pixel: mistakes that move objects slightly leave 7% of the
+    // squares, at edges, on 4% of the pixels that differ. Those that change much leave 2% of the squares.
     constexpr double most_pixels_left = 0.15, few_pixels_left = 0.1, most_at_edges = 0.1;
     if (fit.squares <= (1 - least_share) * squares)
       return fit.percent <= std::max(most_pixels_left * percent, 2 * allowed);
@@ -85,14 +85,14 @@ class CauseSearch {
     return fit.percent > 2 * exhibits_[scene].images->scene().allowed;
   }
   double CostOf(std::size_t scene, const std::optional<Fit>& fit) const {
-    constexpr double least = 0.05;  // of what is not explained
+    constexpr double least = 0.05;  // of the unexplained difference
     if (exhibits_[scene].is_right) return fit && Contradicts(scene, *fit) ? most_cost : 0;
     if (!fit) return 1;
     if (IsWhole(scene, *fit)) return 0;
     return base_[scene].squares > 0 ? std::clamp(fit->squares / base_[scene].squares, least, most_cost) : 1;
   }
-  /// Quick fits take a value between those of neighbors for right at edges; strict ones take the pixels at edges that a
-  /// camera a third of a pixel aside changes out of the comparison, which takes four more images.
+  /// The treatment of edges. Quick fits accept a value between those of neighbors. Strict ones exclude the pixels at
+  /// edges that a camera shifted by a third of a pixel changes, which takes four more images.
   enum class Care { quick, strict };
 
   std::optional<Fit> FitWith(std::size_t scene, const Hypothesis& hypothesis, Care care = Care::quick) const {
@@ -102,7 +102,7 @@ class CauseSearch {
     const std::vector<bool> steady = images.SteadyWith(hypothesis.mistakes);
     return FitOf(exhibits_[scene], image, &steady);
   }
-  /// Ends early where the cost exceeds `bound`, and is then only known to do so.
+  /// Returns the hypothesis with its cost. Ends early if the cost exceeds `bound`; the exact cost is then unknown.
   Scored Score(const Hypothesis& hypothesis, double bound, Care care = Care::quick) const {
     Scored scored{hypothesis, 0, 0};
     for (const std::size_t scene : order_) {
@@ -114,7 +114,8 @@ class CauseSearch {
     return scored;
   }
 
-  /// Simple changes that fit the images with these mistakes best. None if a scene is right, since they change all.
+  /// Returns the simple changes that fit the images with these mistakes best. Empty if a scene is right, since they
+  /// change all.
   std::vector<Tone> TonesBehind(const MistakeList& mistakes) const {
     if (HasRightScene()) return {};
     std::vector<R2::Image> lights;
@@ -148,7 +149,7 @@ class CauseSearch {
     return singles;
   }
 
-  /// Squares that tell nothing: a hundredth of what there is to explain, or what a few pixels at edges leave.
+  /// Returns the squares that count as equal: a hundredth of the difference, or the remainder of a few pixels at edges.
   double AsGood() const {
     double all = 0, pixels = 0;
     for (std::size_t i = 0; i < base_.size(); ++i) {
@@ -159,11 +160,11 @@ class CauseSearch {
     constexpr double hundredth = 0.01, of_a_pixel = 1e-4;
     return std::max(hundredth * all, of_a_pixel * pixels);
   }
-  /// The single causes that explain all scenes when they are compared with care, the best first, and those that are as
-  /// good. Of equally good ones a change of the finished image comes first.
+  /// Returns the single causes that explain all scenes in a strict comparison: the best first, and equally good ones.
+  /// Among these, a change of the finished image comes first.
   std::vector<Scored> Verified(const std::vector<Scored>& singles, double unexplained) const {
     constexpr std::size_t most = 8;
-    constexpr double hopeful = 0.5;  // of what no cause at all costs
+    constexpr double hopeful = 0.5;  // of the cost without any cause
     std::vector<Scored> verified;
     for (std::size_t i = 0; i < std::min(most, singles.size()) && singles[i].cost <= hopeful * unexplained; ++i) {
       Scored scored = Score(singles[i].hypothesis, 0, Care::strict);
@@ -181,19 +182,19 @@ class CauseSearch {
     return verified;
   }
 
-  /// True if a mistake alone changes a scene that is right.
+  /// Returns true if a mistake alone changes a scene that is right.
   bool IsExcluded(const Mistake* mistake) const {
     return std::ranges::any_of(exhibits_, [&](const Exhibit& exhibit) {
       return exhibit.is_right && PercentChanged(*exhibit.images, {mistake}) > 4 * exhibit.images->scene().allowed;
     });
   }
-  /// The scene that costs most with a hypothesis, and its pixels that differ.
+  /// The scene with the highest cost of a hypothesis, and its differing pixels.
   struct Left {
     std::size_t scene;
     std::vector<bool> differs;
     std::int64_t count;
   };
-  /// Returns nothing if mistakes move pixels, so that those of further mistakes would lie elsewhere.
+  /// Returns std::nullopt if mistakes move pixels, so that those of further mistakes would be elsewhere.
   std::optional<Left> LeftBy(const Hypothesis& hypothesis) const {
     if (hypothesis.tone || std::ranges::any_of(hypothesis.mistakes, [](const Mistake* one) { return !one->make; }))
       return {};
@@ -205,8 +206,8 @@ class CauseSearch {
     Comparison found = Compare(exhibits_[worst].student, images.Cells(ImageWith(images, hypothesis)), images);
     return Left{worst, std::move(found.differs), found.differing};
   }
-  /// Returns false if a mistake alone leaves most of these pixels as they are: then it explains none of them behind
-  /// another one, so that its image need not be rendered.
+  /// Returns false if a mistake alone leaves most of these pixels unchanged. Then it explains none of them after
+  /// another one, so its image need not be rendered.
   bool MayExplain(const Mistake& mistake, const Left& left) const {
     constexpr double enough = 0.3;
     if (!mistake.make) return true;
@@ -218,8 +219,8 @@ class CauseSearch {
     for (std::size_t i = 0; i < left.differs.size(); ++i) both += left.differs[i] && changed.differs[i];
     return static_cast<double>(both) > enough * static_cast<double>(left.count);
   }
-  /// The best of `begin` with one more cause behind it, if that costs less than `best`, or nothing either
-  /// and leaves less.
+  /// Returns the best of `begin` followed by one more cause, if it costs less than `best`, or if both cost nothing and
+  /// it leaves less.
   Scored Extended(const Hypothesis& begin, const std::vector<const Mistake*>& more, Scored best) const {
     constexpr double noticeably = 0.05;
     const auto left = LeftBy(begin);
@@ -262,7 +263,7 @@ class CauseSearch {
     }
     return best;
   }
-  /// Mistakes with a simple change of the image behind them.
+  /// Tries mistakes followed by a simple change of the image.
   Scored WithTones(const std::vector<const Mistake*>& possible, Scored best) const {
     if (HasRightScene()) return best;
     for (const Mistake* mistake : possible)
@@ -283,12 +284,12 @@ class CauseSearch {
       shorter.tone.reset();
     return shorter;
   }
-  /// True if the images of a scene with these causes differ visibly.
+  /// Returns true if the images of a scene with these causes differ visibly.
   static bool Changes(SceneImages& images, const Hypothesis& a, const Hypothesis& b) {
     const Submission student = MakeSubmission({ImageWith(images, a)}, nullptr, images);
     return Compare(student, images.Cells(ImageWith(images, b)), images).Percent() > images.scene().allowed;
   }
-  /// Leaves out causes that explain nothing.
+  /// Removes causes that explain nothing.
   Scored Shortened(Scored best) const {
     constexpr double nothing = 0.02;
     for (std::size_t i = 0; i < best.hypothesis.Size() && best.hypothesis.Size() > 1;) {
@@ -301,7 +302,8 @@ class CauseSearch {
     return best;
   }
 
-  /// True if each cause explains all that differs in every scene that it changes, and in one of them not without it.
+  /// Returns true if each cause explains the whole difference in every scene that it changes, and is required for that
+  /// in at least one.
   bool IsEstablished(const Hypothesis& hypothesis) const {
     for (std::size_t i = 0; i < hypothesis.Size(); ++i) {
       const Hypothesis shorter = Without(hypothesis, i);
@@ -322,7 +324,7 @@ class CauseSearch {
     }
     return true;
   }
-  /// Of the squared difference, or of what the best simple change leaves of it.
+  /// Returns the explained share of the squared difference, or of its remainder after the best simple change.
   double ShareOf(const Scored& best) const {
     double all = 0;
     for (std::size_t i = 0; i < exhibits_.size(); ++i)
@@ -355,7 +357,7 @@ class CauseSearch {
   std::span<const Exhibit> exhibits_;
   std::vector<std::size_t> order_;
   std::vector<Fit> base_;         // without any cause
-  std::vector<double> simplest_;  // squares that the best simple change leaves
+  std::vector<double> simplest_;  // remaining squares after the best simple change
 };
 
 }  // namespace

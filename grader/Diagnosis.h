@@ -16,47 +16,48 @@ struct Hypothesis {
   std::optional<Tone> tone;
 
   std::size_t Size() const { return mistakes.size() + (tone ? 1 : 0); }
-  /// "gamma+mirrored": for tables.
+  /// Returns the names for tables: "gamma+mirrored".
   std::string Names() const;
-  /// "no shadows, and the image is mirrored left to right".
+  /// Returns the titles for people: "no shadows, and the image is mirrored left to right".
   std::string Titles() const;
 };
 
-/// What all scenes of a student together say.
+/// The conclusions from all scenes of a student together.
 struct Diagnosis {
   enum class Kind {
     right,      // no scene differs
-    named,      // the causes explain all that differs, at least in every scene that they change
-    resembles,  // the causes explain most of what differs, but not enough to be named
+    named,      // the causes explain the whole difference, at least in every scene that they change
+    resembles,  // the causes explain most of the difference, but not enough to be named
     unknown
   };
 
   Kind kind = Kind::unknown;
   Hypothesis causes;
-  std::vector<Hypothesis> alternatives;  // single causes that fit as well: the suite cannot tell them apart
-  double share = 0;                      // of the squared difference that the causes explain, 0 to 1
-  std::vector<bool> explains;            // by scene: whether they explain all that differs there
-  std::vector<Hypothesis> shown;         // by scene: those causes that change it
-  std::vector<double> specks;            // by scene: percent of the pixels that have shadow acne
+  // single causes that fit equally well, so that the suite cannot distinguish them
+  std::vector<Hypothesis> alternatives;
+  double share = 0;                      // explained share of the squared difference, 0 to 1
+  std::vector<bool> explains;            // by scene: true if the causes explain the whole difference
+  std::vector<Hypothesis> shown;         // by scene: the causes that change it
+  std::vector<double> specks;            // by scene: percentage of the pixels with shadow acne
 };
 
 /// The share of the difference that causes must explain in a scene.
 inline constexpr double least_share = 0.95;
 
-/// Finds the causes of all that differs in a student's images.
+/// Finds the causes of the differences in a student's images.
 ///
-/// Tried are simple changes of the image, every mistake, pairs, and threes that begin with the best pair. A hypothesis
-/// must fit all scenes together: those that differ must have at most 5% of their squared difference left, and 15% of
-/// the pixels that differ, and those that are right must not be changed by it. What remains is compared with what the
-/// best simple change leaves.
+/// Tries simple changes of the image, every mistake, pairs, and threes that begin with the best pair. A hypothesis must
+/// fit all scenes together: those that differ must have at most 5% of their squared difference left, and 15% of the
+/// pixels that differ, and it must not change those that are right. The remainder is compared with that of the best
+/// simple change.
 Diagnosis Diagnose(std::span<const Exhibit> exhibits);
 
-/// Returns the image of a scene with the causes, values for a screen; the reference where they cannot be made.
+/// Returns the image of a scene with the causes, as displayed; the reference if they do not apply.
 R2::Image ImageWith(SceneImages& images, const Hypothesis& hypothesis);
 
-/// True if the mistakes change more of the steady pixels than the suite allows.
+/// Returns true if the mistakes change more of the steady pixels than the suite allows.
 bool IsVisible(SceneImages& images, const MistakeList& mistakes);
-/// Returns the percentage of steady pixels that the mistakes change, 0 where they cannot be made.
+/// Returns the percentage of steady pixels that the mistakes change; 0 if they do not apply.
 double PercentChanged(SceneImages& images, const MistakeList& mistakes);
 
 }  // namespace ray::grade

@@ -12,7 +12,7 @@
 
 namespace ray::grade {
 
-/// A student's image, or why there is none. Links are not followed, wherever they lead.
+/// A student's image, or the reason why there is none. Links are never followed.
 struct FetchedImage {
   R2::Image image;
   bool is_jpeg = false;
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t most_image_bytes = std::int64_t{1} << 27;
 
-/// Where the grader is the superuser, programs run as another user, who needs to write here.
+/// If the grader is the superuser, programs run as another user, who needs write access here.
 void LetOthersWrite(const fs::path& folder) {
   if (geteuid() != 0) return;
   fs::permissions(folder, fs::perms::all);
@@ -41,7 +41,7 @@ FetchedImage NoImage(const std::string& problem) { return {{}, false, problem}; 
 FetchedImage Fetch(const fs::path& file) {
   const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0)
-    return NoImage(errno == ELOOP    ? "left a symbolic link in place of an image, which is not followed"
+    return NoImage(errno == ELOOP    ? "left a symbolic link instead of an image; links are not followed"
                    : errno == ENOENT ? "left no image"
                                      : "left an image that cannot be read");
   struct stat status {};
@@ -54,20 +54,20 @@ FetchedImage Fetch(const fs::path& file) {
     bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(0, count)));
   }
   close(descriptor);
-  if (!is_file) return NoImage("left something that is no file in place of an image");
-  if (!fits) return NoImage("left a file of more than 128 MiB in place of an image");
+  if (!is_file) return NoImage("left something other than a file instead of an image");
+  if (!fits) return NoImage("left a file of more than 128 MiB instead of an image");
   if (bytes.empty()) return NoImage("left an empty file");
   try {
     const R2::ImageSize size = R2::ReadImageSize(bytes);
-    if (std::max(size.width, size.height) > 8192) return NoImage("left an image of more than 8192 pixels a side");
+    if (std::max(size.width, size.height) > 8192) return NoImage("left an image of more than 8192 pixels on a side");
     R2::DecodedImage decoded = R2::DecodeImage(bytes);
     return {std::move(decoded.image), std::string(decoded.format->name) == "jpeg", {}};
   } catch (const R2::ImageError& error) {
-    return NoImage(std::string("left a file that is no image: ") + error.what());
+    return NoImage(std::string("left a file that is not an image: ") + error.what());
   }
 }
 
-/// The file asked for, or else the one image that is there: some programs choose its name themselves.
+/// Returns the requested file, or else the only image in the folder: some programs choose its name themselves.
 fs::path ImageIn(const fs::path& folder, const fs::path& wanted) {
   std::error_code ignored;
   if (fs::symlink_status(wanted, ignored).type() != fs::file_type::not_found) return wanted;
@@ -76,10 +76,10 @@ fs::path ImageIn(const fs::path& folder, const fs::path& wanted) {
   return wanted;
 }
 
-/// The text quoted for a shell.
+/// Quotes text for a shell.
 std::string ShellWord(const std::string& text) { return "'" + ReplacedAll(text, "'", "'\\''") + "'"; }
 
-/// Copies folders, files and links; programs that are built need no devices or pipes. Throws fs::filesystem_error.
+/// Copies folders, files and links; built programs need no devices or pipes. Throws fs::filesystem_error.
 void CopyFolder(const fs::path& from, const fs::path& to) {
   fs::create_directory(to);
   for (const auto& entry : fs::recursive_directory_iterator(from)) {
@@ -93,7 +93,7 @@ void CopyFolder(const fs::path& from, const fs::path& to) {
   }
 }
 
-/// Makes the user that programs run as the owner if the grader is the superuser.
+/// Changes the owner to the user that programs run as, if the grader is the superuser.
 void GiveToSandbox(const fs::path& folder) {
   if (geteuid() != 0) return;
   const auto give = [](const fs::path& path) {
@@ -125,7 +125,7 @@ std::string Contents(const std::string& file) {
 ScratchFolder::ScratchFolder() {
   std::string pattern = (fs::temp_directory_path() / "raygrade.XXXXXX").string();
   if (!mkdtemp(pattern.data()))
-    throw std::runtime_error("no folder can be made in " + fs::temp_directory_path().string());
+    throw std::runtime_error("cannot make a folder in " + fs::temp_directory_path().string());
   path_ = pattern;
   fs::permissions(path_, fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec | fs::perms::group_read |
                              fs::perms::others_read);
@@ -150,7 +150,7 @@ void Grader::Stage(const SuiteScene& scene) {
   for (const std::string& file : loaded.scene.files) {
     inputs_.push_back(file);
     const fs::path place = fs::path(file).lexically_relative(from.empty() ? fs::path(".") : from);
-    if (place.empty() || place.begin()->string() == "..") continue;  // read where it is
+    if (place.empty() || place.begin()->string() == "..") continue;  // read in place
     fs::create_directories((to / place).parent_path());
     fs::copy_file(file, to / place, fs::copy_options::overwrite_existing);
   }
@@ -189,7 +189,7 @@ void Grader::BuildCopy(const std::string& student, const fs::path& copy, Student
   if (!ran.IsGood())
     result.problem = "was not built: the command " + settings_.build + " " + ran.Problem();
   else if (!missing.empty())
-    result.problem = "was not built: the command " + settings_.build + " made no " + missing;
+    result.problem = "was not built: the command " + settings_.build + " did not make " + missing;
 }
 
 StudentResult Grader::Grade(const std::string& name, const std::string& student,
@@ -281,7 +281,7 @@ HandedIn Grader::GradeScene(SceneImages& images, const std::string& file, const 
     result.headline = "The program " + problem + ".";
     return HandedIn{&images, {}};
   };
-  if (!(seconds_left > 0)) return fail("was not run: the time for all scenes together is used up");
+  if (!(seconds_left > 0)) return fail("was not run: the time limit for all scenes together was reached");
   for (int run = 0; run < scene.runs; ++run) {
     FetchedImage fetched = RunProgram(scene, file, student, seconds_left, result);
     if (!fetched.problem.empty()) return fail(fetched.problem);

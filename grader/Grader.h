@@ -13,20 +13,20 @@
 
 namespace ray::grade {
 
-/// How students' programs are run.
+/// Settings for running students' programs.
 struct GraderSettings {
   std::vector<std::string> command;  // with {scene}, {image}, {width}, {height} and {student}
-  std::string build{};               // a line for the shell, with {student}; empty if programs need no build
-  std::uint64_t seed = 0;            // 0: scenes as they are; else varied as the suite says
+  std::string build{};               // a shell command with {student}; empty if programs need no build
+  std::uint64_t seed = 0;            // 0: unchanged scenes; otherwise varied as the suite says
   Sandbox::Mode sandbox = Sandbox::Mode::automatic;
   std::string image_extension = "png";
   const std::atomic<bool>* stop = nullptr;  // ends the grading when it becomes true; may be null
 };
 
-/// A folder for temporary files that ends with all that is in it.
+/// A temporary folder that is deleted with its content.
 class ScratchFolder {
  public:
-  /// Throws std::runtime_error where none can be made.
+  /// Throws std::runtime_error if none can be made.
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
@@ -41,8 +41,8 @@ struct FetchedImage;
 /// Grades programs by a suite. References, and images with mistakes, are rendered once for all of them.
 class Grader {
  public:
-  /// Copies the scenes to a folder of their own, which is gone with the grader. Throws SceneErrors for a scene that
-  /// cannot be read, or a text to be varied that is not in it once.
+  /// Copies the scenes to a temporary folder that is deleted with the grader. Throws SceneErrors for a scene that
+  /// cannot be read, or a text to be varied that is not in it exactly once.
   Grader(const Suite& suite, const GraderSettings& settings, const Loader& load);
 
   const Suite& suite() const { return suite_; }
@@ -50,7 +50,7 @@ class Grader {
   std::vector<std::unique_ptr<SceneImages>>& Scenes() { return scenes_; }
   const std::vector<std::string>& Command() const { return settings_.command; }
   const std::string& Build() const { return settings_.build; }
-  /// The suite and every file that a scene was read from.
+  /// Returns the suite and every file that a scene was read from.
   const std::vector<std::string>& Inputs() const { return inputs_; }
 
   /// Returns the first missing file of a student's folder that the command names; empty if all exist.
@@ -59,23 +59,23 @@ class Grader {
   /// Builds the program of a student if settings.build is set, and runs it on every scene. Calls `done` after each
   /// scene with the result so far, so that a grader that is killed loses nothing. If settings.stop ends the run, the
   /// result omits the remaining scenes and is not complete.
-  ///   student   the folder that {student} stands for; empty for none
+  ///   student   the folder for {student}; empty for none
   StudentResult Grade(const std::string& name, const std::string& student,
                       const std::function<void(const StudentResult&)>& done);
 
  private:
   /// Builds a copy of the folder, which itself stays unchanged.
-  ///   result   gets the log, and the problem if there is one
+  ///   result   receives the log, and the problem if there is one
   void BuildCopy(const std::string& student, const std::filesystem::path& copy, StudentResult& result);
-  /// The result of a scene before the program is run.
+  /// Returns the result of a scene before the program is run.
   static SceneResult Begun(const SuiteScene& scene);
-  /// Runs a student's program on a scene. Returns its images, empty if it failed, which `result` then says.
+  /// Runs a student's program on a scene. Returns its images, empty if it failed; `result` then contains the reason.
   HandedIn GradeScene(SceneImages& images, const std::string& file, const std::string& student, double seconds_left,
                       SceneResult& result);
-  /// Runs a student's program once on a scene, and adds its seconds and what it printed to `result`.
+  /// Runs a student's program once on a scene, and adds its seconds and its output to `result`.
   FetchedImage RunProgram(const SuiteScene& scene, const std::string& file, const std::string& student,
                           double seconds_left, SceneResult& result);
-  /// The command with the words in braces replaced by what they stand for.
+  /// Returns the command with the words in braces replaced by their values.
   std::vector<std::string> FilledCommand(const SuiteScene& scene, const std::string& file, const std::string& student,
                                          const std::filesystem::path& image) const;
   void Stage(const SuiteScene& scene);
@@ -90,7 +90,7 @@ class Grader {
   std::vector<std::unique_ptr<SceneImages>> scenes_;
 };
 
-/// The text of a scene with its variations; see SuiteScene::vary. Throws SceneErrors.
+/// Returns the text of a scene with its variations; see SuiteScene::vary. Throws SceneErrors.
 std::string Varied(const std::string& text, const SuiteScene& scene, std::uint64_t seed);
 
 }  // namespace ray::grade

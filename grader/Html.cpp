@@ -77,7 +77,7 @@ R2::Image CropAround(const R2::Image& image, int x, int y, int reach, int scale)
       const int row = std::clamp(y - reach + j / scale, 0, image.Height() - 1);
       crop.Set(i, j, image.At(column, row));
     }
-  // A frame around the pixel in the middle.
+  // Draws a frame around the pixel in the middle.
   const int low = reach * scale - 1, high = (reach + 1) * scale;
   for (int k = low; k <= high; ++k)
     for (const auto& [i, j] : {std::pair{k, low}, {k, high}, {low, k}, {high, k}}) crop.Set(i, j, {1, 1, 0});

@@ -4,21 +4,21 @@
 
 #include "R2/Image.h"
 
-/// Pieces of pages that are one file each: no script, nothing loaded from elsewhere.
+/// Parts of pages that are one file each: without scripts or external resources.
 namespace ray::grade {
 
-/// Text as a page holds it.
+/// Escapes text for HTML.
 std::string HtmlOf(const std::string& text);
-/// The image itself, as a PNG within the page; pixels stay sharp when they are enlarged.
-///   about   in words, for those who cannot see it
+/// Returns an image element that contains the image as a PNG; pixels stay sharp when they are enlarged.
+///   about   a description for those who cannot see it
 std::string ImageTag(const R2::Image& image, const std::string& about);
-/// Two images of one size, the first over the left half of the second, up to an edge that can be dragged; one below the
-/// other in print.
+/// Returns two images of the same size, the first over the left half of the second, up to an edge that can be dragged;
+/// one below the other in print.
 std::string Slider(const R2::Image& over, const std::string& about_over, const R2::Image& under,
                    const std::string& about_under);
-/// A whole page.
+/// Returns a whole page.
 std::string Page(const std::string& title, const std::string& body);
-/// A part of an image around a pixel, marked, so many times as large.
+/// Returns a part of an image around a pixel, which is marked, enlarged by `scale`.
 R2::Image CropAround(const R2::Image& image, int x, int y, int reach, int scale);
 
 }  // namespace ray::grade

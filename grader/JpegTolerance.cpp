@@ -23,7 +23,7 @@ double LargestAround(const R2::Image& a, const R2::Image& b, int x, int y) {
 
 bool DiffersLikeJpeg(const R2::Image& image, const R2::Image& reference) {
   constexpr double rounding = 2.0 / 255;
-  constexpr std::int64_t of_pixels = 200;  // one of so many may differ by more
+  constexpr std::int64_t of_pixels = 200;  // one in this many pixels may differ by more
   const R2::Image compressed = AsJpeg(reference);
   std::int64_t beyond = 0;
   for (int y = 0; y < image.Height(); ++y)

@@ -17,9 +17,10 @@ std::string Percent(double share) { return Rounded(100 * share, 3) + "%"; }
 
 std::string Differing(const SceneResult& result) { return Percent(result.percent / 100) + " of the pixels differ"; }
 
-/// Full points where all is well. Else fewer the more pixels differ, and never fewer than for known mistakes.
+/// Returns full points if everything is right. Otherwise fewer for more differing pixels, but never fewer than for
+/// known mistakes.
 double ScoreOf(const SceneResult& result, const Suite& suite) {
-  constexpr double worthless = 25;  // percent of the pixels that differ
+  constexpr double worthless = 25;  // percentage of differing pixels
   if (result.outcome == Outcome::right) return result.points;
   const double kept = std::clamp(1 - result.percent / worthless, 0.0, 1.0);
   return result.points * std::max(kept, result.outcome == Outcome::known_mistake ? suite.explained : 0.0);
@@ -41,18 +42,18 @@ std::vector<std::string> HintsOf(const Hypothesis& causes) {
   return hints;
 }
 
-/// True for rays through the corners of pixels, which is a convention as good as their middles and costs no points.
+/// Returns true for rays through the corners of pixels, a convention as good as their middles, which costs no points.
 bool IsHalfAPixel(const Hypothesis& causes) { return causes.Names() == "half_a_pixel"; }
 
-/// A sentence about acne, if there is any.
+/// Returns a sentence about acne, if there is any.
 std::optional<std::string> AcneRemark(double percent) {
   if (!(percent > 0)) return {};
   return "Shadow acne: single pixels (" + Rounded(percent, 2) +
-         "%) are too dark on lit, smooth surfaces. A shadow ray that starts on a surface meets it again by rounding; "
+         "%) are too dark on lit, smooth surfaces. A shadow ray that starts on a surface hits it again by rounding; "
          "start it a little off the surface.";
 }
 
-/// Sets the outcome and the remarks of a scene that differs by the verdict on all scenes.
+/// Sets the outcome and the remarks of a scene that differs from the verdict on all scenes.
 void ApplyTo(SceneResult& result, const Exhibit& exhibit, const Diagnosis& diagnosis, std::size_t i) {
   const bool is_named = diagnosis.kind == Diagnosis::Kind::named;
   result.remarks.clear();
@@ -69,7 +70,7 @@ void ApplyTo(SceneResult& result, const Exhibit& exhibit, const Diagnosis& diagn
   if (is_named && diagnosis.explains[i] && IsHalfAPixel(diagnosis.shown[i])) {
     result.outcome = Outcome::right;
     result.note = "half a pixel";
-    result.headline = "The image is right, half a pixel aside.";
+    result.headline = "The image is right, shifted by half a pixel.";
     result.worst_x = result.worst_y = -1;
   } else if (is_named && diagnosis.explains[i] && diagnosis.shown[i].Size() > 0) {
     result.outcome = Outcome::known_mistake;
@@ -84,13 +85,13 @@ void ApplyTo(SceneResult& result, const Exhibit& exhibit, const Diagnosis& diagn
       result.remarks.emplace_back(
           is_named && diagnosis.shown[i].Size() > 0
               ? "The cause above explains a part of it. Begin with the pixel below."
-              : "No mistake that raygrade knows makes such an image. Begin with the pixel below: "
+              : "No mistake that raygrade knows causes such an image. Begin with the pixel below: "
                 "what do your rays do there?");
     }
   }
 }
 
-/// The scene whose worst pixel differs most, of those that the causes explain.
+/// Returns the scene whose worst pixel differs most, among those that the causes explain.
 std::string BestScene(std::span<const Exhibit> exhibits, const Diagnosis& diagnosis) {
   const Exhibit* best = nullptr;
   for (std::size_t i = 0; i < exhibits.size(); ++i)
@@ -115,11 +116,11 @@ StudentVerdict VerdictOf(std::span<const Exhibit> exhibits, const Diagnosis& dia
   }
   switch (diagnosis.kind) {
     case Diagnosis::Kind::right:
-      verdict.headline = is_right ? "All images are right." : "All that differs is shadow acne.";
+      verdict.headline = is_right ? "All images are right." : "The only difference is shadow acne.";
       return verdict;
     case Diagnosis::Kind::named: {
       if (IsHalfAPixel(diagnosis.causes) && unexplained.empty()) {
-        verdict.headline = "All images are right, half a pixel aside.";
+        verdict.headline = "All images are right, shifted by half a pixel.";
         verdict.remarks = {"Rays go through the corners of pixels instead of their middles. This costs no points."};
         return verdict;
       }
@@ -129,7 +130,8 @@ StudentVerdict VerdictOf(std::span<const Exhibit> exhibits, const Diagnosis& dia
       verdict.best_scene = BestScene(exhibits, diagnosis);
       verdict.remarks = HintsOf(diagnosis.causes);
       if (!unexplained.empty())
-        verdict.remarks.push_back("It does not explain all that differs in: " + JoinedWith(unexplained, ", ") + ".");
+        verdict.remarks.push_back("It does not explain the whole difference in: " +
+                                  JoinedWith(unexplained, ", ") + ".");
       std::vector<std::string> others;
       for (const Hypothesis& other : diagnosis.alternatives) others.push_back(other.Titles());
       if (!others.empty())
@@ -137,13 +139,13 @@ StudentVerdict VerdictOf(std::span<const Exhibit> exhibits, const Diagnosis& dia
       return verdict;
     }
     case Diagnosis::Kind::resembles:
-      verdict.headline = "The images look most like this, but not all of it: " + diagnosis.causes.Titles() + " (" +
-                         Percent(diagnosis.share) + " of the difference).";
+      verdict.headline = "The images resemble a mistake, which does not explain everything: " +
+                         diagnosis.causes.Titles() + " (" + Percent(diagnosis.share) + " of the difference).";
       verdict.remarks = HintsOf(diagnosis.causes);
       verdict.best_scene = BestScene(exhibits, diagnosis);
       return verdict;
     case Diagnosis::Kind::unknown:
-      verdict.headline = "No cause that raygrade knows explains what differs.";
+      verdict.headline = "No cause that raygrade knows explains the difference.";
       return verdict;
   }
   return verdict;
@@ -152,7 +154,7 @@ StudentVerdict VerdictOf(std::span<const Exhibit> exhibits, const Diagnosis& dia
 }  // namespace
 
 Encoding EncodingOf(std::span<const HandedIn> handed_in) {
-  // Surfaces that a mistake changes are right with neither; backgrounds alone are often a third of an image.
+  // Surfaces that a mistake changes are right with neither encoding; backgrounds alone are often a third of an image.
   constexpr double least_right = 0.2, clearly = 0.15;  // of the steady pixels
   const auto right_with = [&](Encoding encoding) {
     double steady = 0, right = 0;
@@ -174,7 +176,7 @@ std::vector<Exhibit> ExhibitsOf(std::span<const HandedIn> handed_in, Encoding en
   for (const HandedIn& one : handed_in) {
     std::vector<R2::Image> runs;
     for (const R2::Image& run : one.runs) runs.push_back(Decoded(run, encoding));
-    std::optional<R2::Image> compressed;  // the reference, by a program that encodes likewise
+    std::optional<R2::Image> compressed;  // the reference, by a program that encodes in the same way
     if (one.is_jpeg) compressed = Decoded(AsJpeg(Encoded(one.images->Reference(), encoding)), encoding);
     exhibits.push_back(
         MakeExhibit(*one.images, MakeSubmission(runs, compressed ? &*compressed : nullptr, *one.images)));
@@ -243,7 +245,7 @@ Findings JudgeTogether(std::span<const HandedIn> handed_in, const Suite& suite, 
   if (!with_acne.empty()) verdict.remarks.push_back("Shadow acne in: " + JoinedWith(with_acne, ", ") + ".");
   if (!empty.empty()) verdict.remarks.push_back("Some images have a single color.");
   if (!failed.empty()) {
-    if (diagnosis.kind == Diagnosis::Kind::right) verdict.headline = "All images that there are are right.";
+    if (diagnosis.kind == Diagnosis::Kind::right) verdict.headline = "All existing images are right.";
     verdict.remarks.push_back("Without an image: " + JoinedWith(failed, ", ") + ".");
   }
   if (encoding != Encoding::linear)

@@ -18,17 +18,17 @@ struct HandedIn {
   std::size_t scene = 0;  // its number in StudentResult::scenes
 };
 
-/// Returns the encoding that makes most pixels right, if it is clear; else linear.
+/// Returns the encoding with which most pixels are right, if that is clear; otherwise linear.
 Encoding EncodingOf(std::span<const HandedIn> handed_in);
 std::vector<Exhibit> ExhibitsOf(std::span<const HandedIn> handed_in, Encoding encoding);
 
-/// Sets the points of a scene, and the sentences about it, by its image alone.
+/// Sets the points of a scene, and the sentences about it, from its image alone.
 void JudgeAlone(const Exhibit& exhibit, const Suite& suite, SceneResult& result);
 
-/// What verdicts are made of.
+/// The data behind a verdict.
 struct Findings {
   Encoding encoding = Encoding::linear;
-  std::optional<Diagnosis> diagnosis;  // none if no image has more than one color
+  std::optional<Diagnosis> diagnosis;  // std::nullopt if no image has more than one color
 };
 
 /// Sets the verdict on a student, and with it the points of all scenes.

@@ -9,7 +9,7 @@
 namespace ray::grade {
 namespace {
 
-/// True if the two hypotheses make, to the grader's eye, the same image of every scene.
+/// Returns true if the grader cannot distinguish the images of the two hypotheses in any scene.
 bool LookAlike(std::vector<std::unique_ptr<SceneImages>>& scenes, const Hypothesis& a, const Hypothesis& b) {
   return std::ranges::all_of(scenes, [&](const auto& images) {
     const R2::Image first = ImageWith(*images, a), second = ImageWith(*images, b);
@@ -18,19 +18,19 @@ bool LookAlike(std::vector<std::unique_ptr<SceneImages>>& scenes, const Hypothes
   });
 }
 
-/// The scenes of a student who made these mistakes.
+/// Returns the images of a student who made these mistakes.
 std::vector<HandedIn> ImagesOf(std::vector<std::unique_ptr<SceneImages>>& scenes, const MistakeList& mistakes) {
   std::vector<HandedIn> handed_in;
   for (const auto& images : scenes) {
     R2::Image image = images->AsOfAnother(mistakes);
-    // What cannot be made in a scene leaves it as it is.
+    // Mistakes that do not apply to a scene leave it unchanged.
     if (image.Width() == 0) image = images->AsOfAnother({});
     handed_in.push_back({images.get(), {image}, false, handed_in.size()});
   }
   return handed_in;
 }
 
-/// "sphere 24%": the scenes that the mistakes change visibly.
+/// Returns the scenes that the mistakes change visibly: "sphere 24%".
 std::string ShownBy(std::vector<std::unique_ptr<SceneImages>>& scenes, const MistakeList& mistakes, double& most) {
   std::string text;
   for (const auto& images : scenes) {

@@ -9,15 +9,15 @@
 
 namespace ray::grade {
 
-/// The verdict on a student who made known mistakes. The images are our own with the mistakes, from a camera a little
-/// aside, and of 8 bits.
+/// The verdict on a student who made known mistakes. The images are our own with the mistakes, with the camera slightly
+/// shifted, in 8 bits.
 struct MatrixRow {
   enum class Outcome {
-    by_name,     // named
+    by_name,     // the mistakes are named
     same_image,  // a cause that makes the same images is named
-    empty,       // the images are black or of one color, which a rule says before mistakes are tried
+    empty,       // the images are black or of one color, which a rule reports before mistakes are tried
     wrong,       // another cause is named
-    silent,      // none is named
+    silent,      // no cause is named
     invisible    // no scene shows it
   };
 
@@ -37,7 +37,7 @@ struct MatrixCounts {
   int Count(MatrixRow::Outcome outcome) const { return of[static_cast<std::size_t>(outcome)]; }
 };
 
-/// Tries every mistake of the table, and `pairs` pairs of them that are chosen by a seed.
+/// Tries every mistake of the table, and `pairs` pairs of them that a seed selects.
 MatrixCounts TryMistakes(std::vector<std::unique_ptr<SceneImages>>& scenes, const Suite& suite, int pairs);
 
 }  // namespace ray::grade

@@ -15,9 +15,9 @@ double SquareBeyond(double channel, double allowed) {
   return beyond > 0 ? beyond * beyond : 0;
 }
 
-/// True if shading, not an edge of the image with a mistake, is at this place.
+/// Returns true if this place is shading, not an edge, in the image with a mistake.
 bool IsCalm(const R2::Image& cells, const R2::Image& reference, int x, int y) {
-  constexpr double calm = 0.08;  // four of the usual tolerances: shading does not change by that from pixel to pixel
+  constexpr double calm = 0.08;  // four of the usual tolerances: shading changes less between adjacent pixels
   const R2::Color c = cells.At(x, y);
   if (LargestChannel(c - reference.At(x, y)) < calm) return true;
   for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
@@ -27,7 +27,7 @@ bool IsCalm(const R2::Image& cells, const R2::Image& reference, int x, int y) {
   return true;
 }
 
-/// How far a color is beyond the range of colors at a pixel and its four neighbors.
+/// Returns the distance of a color from the range of colors at a pixel and its four neighbors.
 R2::Color BeyondNeighbors(const R2::Image& cells, int x, int y, const R2::Color& color) {
   R2::Color low = cells.At(x, y), high = low;
   for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
@@ -40,18 +40,18 @@ R2::Color BeyondNeighbors(const R2::Image& cells, int x, int y, const R2::Color&
   return {beyond(color.r, low.r, high.r), beyond(color.g, low.g, high.g), beyond(color.b, low.b, high.b)};
 }
 
-/// Where the student's image differs from another, and how.
+/// The difference of the student's image from another at a cell.
 enum class Cell : unsigned char { ignored, same, darker, other };
 
-/// Counts for the statistics of acne: a shadow that should not be there changes few neighbors from lit to dark, acne
-/// changes many, along both axes.
+/// Counts for the statistics of acne: a wrong shadow changes between lit and dark at few pairs of neighbors, acne at
+/// many, along both axes.
 struct Texture {
   double counted = 0, darker = 0, other = 0, turns_across = 0, turns_along = 0;
 
   bool IsAcne() const {
-    constexpr double least_share = 0.002, mostly = 0.8;  // of the pixels counted; of those that differ
-    // Independent specks of density p turn 2 p (1 - p) times a pixel; a dark region of width w turns 2 / w times along
-    // each row of it. 0.15 is between those of regions of 7 pixels, and of specks that fill 5 of 6 pixels.
+    constexpr double least_share = 0.002, mostly = 0.8;  // of the counted pixels; of the differing ones
+    // Independent specks of density p change 2 p (1 - p) times per pixel; a dark region of width w changes 2 / w times
+    // along each of its rows. 0.15 is between those of regions of 7 pixels, and of specks that fill 5 of 6 pixels.
     constexpr double ragged = 0.15;
     return darker > least_share * counted && darker > mostly * (darker + other) &&
            std::min(turns_across, turns_along) > 2 * ragged * darker;
@@ -87,7 +87,8 @@ Exhibit MakeExhibit(SceneImages& images, Submission student) {
 
 std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image, const std::vector<bool>* own_steady) {
   constexpr double rounding = 1.5 / 255;
-  constexpr double enough = 0.4;  // of the steady pixels: fewer would be taken for the others without being like them
+  // of the steady pixels: fewer would not represent the others
+  constexpr double enough = 0.4;
   const SceneImages& images = *exhibit.images;
   const Submission& student = exhibit.student;
   const R2::Image cells = images.Cells(image), reference = images.Cells(images.Reference());

@@ -6,15 +6,15 @@
 
 namespace ray::grade {
 
-/// How well an image with mistakes fits a student's, over steady pixels. Where exactly an edge of the image lies is
+/// The fit of an image with mistakes to a student's, over steady pixels. The exact place of an edge in an image is
 /// rounding: there a value between those of neighboring pixels fits.
 struct Fit {
-  double squares = 0;  // the sum of squared differences beyond rounding
-  double percent = 0;  // of the steady pixels that differ by more than the tolerance
-  double specks = 0;   // percent of the steady pixels that are specks of shadow acne; these are not in the others
+  double squares = 0;  // sum of squared differences beyond rounding
+  double percent = 0;  // percentage of steady pixels that differ by more than the tolerance
+  double specks = 0;   // percentage of steady pixels that are specks of shadow acne, which the others exclude
 };
 
-/// One scene of a student: the submission and what it is compared with.
+/// One scene of a student: the submission and the images for comparison.
 struct Exhibit {
   SceneImages* images;
   Submission student;
@@ -23,9 +23,9 @@ struct Exhibit {
 };
 Exhibit MakeExhibit(SceneImages& images, Submission student);
 
-/// Returns nothing if most pixels are at edges, where nearly anything fits.
-///   image    values for a screen
-///   steady   of the image's own pixels: then only those that are steady count, and edges need no other care
+/// Returns std::nullopt if most pixels are at edges, where almost anything fits.
+///   image    as displayed
+///   steady   the steady pixels of the image itself: if given, only these count, and edges need no further care
 std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image, const std::vector<bool>* steady = nullptr);
 
 }  // namespace ray::grade

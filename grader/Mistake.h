@@ -12,10 +12,10 @@
 
 namespace ray::grade {
 
-/// What a mistake does to a finished image of light.
+/// The effect of a mistake on a finished image of light.
 using ImageFilter = R2::Image (*)(const R2::Image&);
 
-/// All that decides an image of light, for mistakes to change: settings, the surface equation and the scene.
+/// Everything that determines an image of light, for mistakes to change: settings, the surface equation and the scene.
 class Variant {
  public:
   /// `scene` must outlive the variant.
@@ -26,8 +26,8 @@ class Variant {
   DepthRules depth;
   const Scene& scene() const { return own_ ? *own_ : original_; }
   bool HasOwnScene() const { return own_.has_value(); }
-  /// The copy of the scene, made by the first call. A mistake that changes settings or rules alone does without
-  /// one, and is rendered with the accelerator of the original.
+  /// Returns the copy of the scene, which the first call creates. A mistake that changes only settings or rules does
+  /// not need one, and is rendered with the accelerator of the original.
   Scene& OwnScene();
 
  private:
@@ -35,18 +35,20 @@ class Variant {
   std::optional<Scene> own_;
 };
 
-/// A mistake that students make: one row of a table of mistakes/. The engine knows of none; a mistake is a change of
-/// data, and the image of it is rendered as any other.
+/// A mistake that students make: one row of a table of mistakes/. The engine does not know mistakes: a mistake is a
+/// change of data, and its image is rendered like any other.
 struct Mistake {
-  const char* name;                          // "no_ambient": for tables
+  const char* name;                          // for tables: "no_ambient"
   const char* title;                         // "no ambient light": completes "as with"
-  const char* expected;                      // what a correct program does, with its equation
-  const char* hint;                          // where to look, which gives no code away
-  ImageFilter of_image = nullptr;            // makes it of a finished image alone, so that two images show it
-  void (*make)(Variant& variant) = nullptr;  // makes it of the scene; null where the image is enough
+  const char* expected;                      // the behavior of a correct program, with its equation
+  const char* hint;                          // a suggestion where to look, without revealing code
+  // applies the mistake to a finished image, so that two images alone show it
+  ImageFilter of_image = nullptr;
+  // applies the mistake to the scene; null if `of_image` suffices
+  void (*make)(Variant& variant) = nullptr;
 };
 
-/// Every mistake, in the order of mistakes/Tables.h.
+/// Returns every mistake, in the order of mistakes/Tables.h.
 std::span<const Mistake* const> Mistakes();
 
 }  // namespace ray::grade

@@ -8,8 +8,8 @@
 namespace ray::grade {
 namespace {
 
-constexpr int blur_reach = 2, blurs = 3;              // each as far, in pixels
-constexpr int shift_margin = blurs * blur_reach + 2;  // that no shift or blur reaches beyond the edge from
+constexpr int blur_reach = 2, blurs = 3;              // radius of each, in pixels
+constexpr int shift_margin = blurs * blur_reach + 2;  // so that no shift or blur reads beyond the edge
 
 R2::Plane LuminanceOf(const R2::Image& image) {
   R2::Plane plane(image.Width(), image.Height());
@@ -18,7 +18,7 @@ R2::Plane LuminanceOf(const R2::Image& image) {
   return plane;
 }
 
-/// By the binomial weights of five pixels along one axis, but for the edges.
+/// Blurs by the binomial weights of five pixels along one axis, except at the edges.
 R2::Plane BlurredAlong(const R2::Plane& plane, int step_x, int step_y) {
   constexpr std::array weights{1 / 16.0F, 4 / 16.0F, 6 / 16.0F, 4 / 16.0F, 1 / 16.0F};
   R2::Plane blurred = plane;
@@ -38,7 +38,7 @@ R2::Plane Blurred(const R2::Image& image) {
   return plane;
 }
 
-/// The plane between its pixels, at halves of them.
+/// Returns the plane's value between its pixels, at halves of them.
 float At(const R2::Plane& plane, int halves_x, int halves_y) {
   const int x = halves_x >> 1, y = halves_y >> 1, right = x + (halves_x & 1), above = y + (halves_y & 1);
   return (plane.Row(y)[x] + plane.Row(y)[right] + plane.Row(above)[x] + plane.Row(above)[right]) / 4;

@@ -58,7 +58,8 @@ std::string BuildSection(const StudentResult& student) {
          HtmlOf(is_built ? "The program was built." : "The program " + student.problem + ".") + "</p>\n" + log;
 }
 
-///   pixel   false where the page shows it elsewhere
+/// Returns the section of a scene.
+///   pixel   false if the page shows the worst pixel elsewhere
 std::string SceneSection(const SceneResult& scene, bool pixel = true) {
   std::string html = "<h2 id=\"" + HtmlOf(scene.scene) + "\">" + HtmlOf(scene.title) + ": " + PointsText(scene.score) +
                      " of " + PointsText(scene.points) + " points</h2>\n";
@@ -75,7 +76,7 @@ std::string SceneLink(const std::string& scene, const std::string& title) {
   return "<a href=\"#" + HtmlOf(scene) + "\">" + HtmlOf(title) + "</a>";
 }
 
-/// The verdict, the scenes that show it, and the pixel that shows it best.
+/// Returns the verdict, the scenes that show it, and the pixel that shows it best.
 std::string VerdictSection(const StudentResult& student) {
   const StudentVerdict& verdict = student.verdict;
   if (verdict.headline.empty()) return {};
@@ -140,7 +141,7 @@ std::string StudentLink(const std::string& name) {
   return "<a href=\"" + HtmlOf(name) + "/index.html\">" + HtmlOf(name) + "</a>";
 }
 
-/// The causes and notes of a class, the most common first, each with the students that have it.
+/// Returns the causes and notes of a class, the most common first, each with its students.
 std::string CommonCauses(const std::vector<StudentResult>& students) {
   std::map<std::string, std::set<std::string>> students_with;
   for (const StudentResult& student : students) {
@@ -162,7 +163,7 @@ std::string CommonCauses(const std::vector<StudentResult>& students) {
   return html + "</table>\n";
 }
 
-/// A row below the students of a table: its name, and what it makes of points.
+/// A row below the students of a table: its name, and its function of the points.
 struct Statistic {
   const char* name;
   double (*of)(std::vector<double> points);
@@ -192,7 +193,7 @@ std::vector<double> ScoresIn(const std::vector<StudentResult>& students, std::si
   return scores;
 }
 
-/// The notes of a student's scenes, each once.
+/// Returns the notes of a student's scenes, without repetition.
 std::string NotesOf(const StudentResult& student) {
   std::set<std::string> notes;
   for (const SceneResult& scene : student.scenes)
@@ -246,7 +247,7 @@ std::string StudentPage(const StudentResult& student, const Suite& suite, const 
       "<p>" + PointsText(student.Score()) + " of " + PointsText(suite.Points()) + " points.</p>\n" +
       comment_begins + comment_ends + "\n" + VerdictSection(student) +
                      Overview(student) +
-      "<p>Compared are steady pixels: those that stay as they are when the camera is moved by less than "
+      "<p>Only steady pixels are compared: those that do not change when the camera is moved by less than "
       "half a pixel. Differences of rounding, and at edges, do not count. A cause is named if it explains "
       "more than 95% of the difference in every scene that it changes.</p>\n";
   body += BuildSection(student);

@@ -18,10 +18,10 @@ bool VisitElements(const World& world, const R3::Ray& ray, const Visit& visit) {
   return false;
 }
 
-/// The second crossing of a sphere, if there is one.
+/// Returns the second intersection with a sphere, if there is one.
 std::optional<R3::Hit> FarSide(const R3::Shape& shape, R3::Ray local, int element, const R3::Hit& near) {
   if (!shape.AsSphere()) return near;
-  // Past the rounding of the first crossing, which lies many such steps before the second but at the rim.
+  // Beyond the rounding of the first intersection, which is many such steps before the second except at the rim.
   constexpr double step = 1e-9;
   local.t_min = near.t + step * std::abs(near.t);
   const auto far = shape.Intersect(local, element);

@@ -12,7 +12,7 @@
 namespace ray::grade {
 namespace {
 
-/// The transform of each instance's group, baked or not.
+/// Returns the transform of each instance's group, baked or not.
 std::vector<const R3::Transform*> TransformsOf(const World& world) {
   std::vector<const R3::Transform*> transforms(world.Instances().size());
   for (const FlatNode& node : world.Nodes())
@@ -20,8 +20,8 @@ std::vector<const R3::Transform*> TransformsOf(const World& world) {
   return transforms;
 }
 
-/// How long a normal is that nobody has normalized: a sphere's points are a radius from its center, and a matrix
-/// stretches what it moves.
+/// Returns the length of a normal that was not normalized: a sphere's points are a radius away from its center, and a
+/// matrix stretches what it transforms.
 double LengthOfNormal(const Instance& instance, const R3::Transform& transform, const R3::Vector& world_normal) {
   const R3::Vector local = TransposeTimes(transform.Forward(), world_normal);
   const auto sphere = instance.shape->AsSphere();
@@ -73,7 +73,7 @@ void RuledShading::Li(std::span<const CameraSample> samples, std::span<R2::Color
     if (!state.hits[i]) radiances[i] = *rules_.camera_background;
 }
 
-/// Mirrored rays go by wo and N alone, and no light does after this.
+/// Mirrored rays depend on wo and N alone, and light is computed before this.
 void RuledShading::ApplyToMirror(ShadingPoint& p) const {
   using enum ShadingRules::Mirror;
   if (rules_.mirror == exact || !IsBlack(p.material->kt)) return;
@@ -173,7 +173,7 @@ double RuledShading::CosineOf(const ShadingPoint& p, const R3::Vector& L) const 
   return 0;
 }
 
-/// Whether an absolute cosine lets a light shine that is on the other side of something without an inside.
+/// Returns true if an absolute cosine lets a light shine from the other side of a surface without an inside.
 bool RuledShading::IsLitFromBehind(const ShadingPoint& p, const R3::Vector& L) const {
   const bool counts = rules_.cosine == ShadingRules::Cosine::absolute || rules_.highlight_behind;
   return counts && Dot(p.N, L) < 0 && !p.is_met_again;
@@ -211,7 +211,7 @@ void RuledShading::AddSample(std::size_t which, ShadingPoint& p, std::size_t ind
   ShadowTarget target = sample->Target();
   target.to_light = ShadowDirection(which, p, *sample);
   if (rules_.shadow == ShadingRules::Shadow::beyond_light) target.is_infinite = true, target.reaching = -1;
-  // A thin surface does not keep light from itself where programs start their shadow rays a little towards the light.
+  // A thin surface casts no shadow on itself if programs start their shadow rays slightly towards the light.
   const R3::Vector N = p.N;
   if (IsLitFromBehind(p, L)) p.N = -N;
   tracer_.AddShadowRay(

@@ -8,8 +8,8 @@
 
 namespace ray::grade {
 
-/// The ray tracer of mode whitted, with the surface equation as a student may have got it wrong. Of light sources it
-/// knows those of Scene::lights; see CanShade.
+/// The ray tracer of mode whitted, with the surface equation as a student may have implemented it wrongly. It supports
+/// only the light sources in Scene::lights; see CanShade.
 class RuledShading : public Whitted {
  public:
   RuledShading(const World& world, const Accelerator& accelerator, const TraceSettings& settings,
@@ -17,7 +17,7 @@ class RuledShading : public Whitted {
 
   void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
 
-  /// Whether the scene has no light but those that the rules are about: no environment and no lamps.
+  /// Returns true if the scene has only lights to which the rules apply: no environment and no lamps.
   static bool CanShade(const World& world, const TraceSettings& settings);
 
  private:
@@ -32,11 +32,11 @@ class RuledShading : public Whitted {
   R2::Color HighlightOf(const ShadingPoint& p, const R3::Vector& L) const;
   R3::Vector ShadowDirection(std::size_t which, const ShadingPoint& p, const LightSample& sample) const;
 
-  /// What a light's irradiance is multiplied by where its fading is wrong.
+  /// Returns the factor of a light's irradiance for wrong attenuation.
   double FadingOf(std::size_t which, const R3::Vector& to_light) const;
   void ApplyToMirror(ShadingPoint& p) const;
 
-  /// The fading of a light: its coefficients, and those of a spot light.
+  /// The attenuation of a light: its coefficients, and those of a spot light.
   struct Fading {
     double constant = 1, linear = 0, quadratic = 0;
     std::optional<R3::Vector> axis;  // unit

@@ -30,13 +30,13 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_kept_output = 16384;  // bytes
-constexpr double cpu_seconds_per_second = 4;  // that several threads may use together
+constexpr double cpu_seconds_per_second = 4;  // of several threads together
 
 bool IsSuperuser() { return geteuid() == 0; }
 
 double SecondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// How many threads this user has, since the limit counts them all.
+/// Returns the number of this user's threads, since the limit counts them all.
 rlim_t ThreadsOfUser() {
   rlim_t count = 0;
   std::error_code ignored;
@@ -62,11 +62,11 @@ rlim_t CpuSeconds(const Limits& limits) {
 
 rlim_t MemoryBytes(const Limits& limits) { return static_cast<rlim_t>(limits.memory * 1024 * 1024); }
 
-/// In the child, before it becomes the program.
+/// Runs in the child, before it becomes the program.
 void ApplyLimits(const Limits& limits) {
   Limit(RLIMIT_CORE, 0);
   Limit(RLIMIT_FSIZE, static_cast<rlim_t>(limits.file_bytes));
-  Limit(RLIMIT_CPU, CpuSeconds(limits), CpuSeconds(limits) + 1);  // SIGXCPU, which says why, comes before SIGKILL
+  Limit(RLIMIT_CPU, CpuSeconds(limits), CpuSeconds(limits) + 1);  // SIGXCPU, which has a reason, before SIGKILL
   Limit(RLIMIT_AS, MemoryBytes(limits));
 }
 
@@ -85,7 +85,7 @@ struct Pipe {
   int ends[2];
 };
 
-/// The processes that `process` is the parent of.
+/// Returns the children of a process.
 std::vector<pid_t> ChildrenOf(pid_t process) {
   std::ifstream list("/proc/" + std::to_string(process) + "/task/" + std::to_string(process) + "/children");
   std::vector<pid_t> children;
@@ -93,7 +93,7 @@ std::vector<pid_t> ChildrenOf(pid_t process) {
   return children;
 }
 
-/// The process and all below it. They are stopped first, so that none starts others meanwhile.
+/// Kills the process and its descendants. They are stopped first, so that none starts others meanwhile.
 void KillTree(pid_t process) {
   std::vector<pid_t> all{process};
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -104,7 +104,7 @@ void KillTree(pid_t process) {
   for (const pid_t each : all) kill(each, SIGKILL);
 }
 
-/// What the program left behind, whose new parent is this process since it has asked to be.
+/// Kills processes that the program left behind. Their parent is this process, which has requested that.
 void KillOrphans(const std::set<pid_t>& earlier) {
   for (int round = 0; round < 200; ++round) {
     bool is_any = false;
@@ -151,12 +151,12 @@ void Say(const char* text) {
   if (write(STDOUT_FILENO, text, std::strlen(text)) < 0) _exit(126);
 }
 
-/// In the child. It allocates nothing: the grader may hold more memory already than the limit allows, so that any
-/// allocation after that would fail, and the program would be said to have crashed.
+/// Runs in the child. It allocates nothing: the grader may already use more memory than the limit allows, so that any
+/// further allocation would fail, and the program would be reported as crashed.
 [[noreturn]] void BecomeProgram(const Command& command, const fs::path& folder, const Limits& limits, int output,
                                 bool is_wrapped, rlim_t processes) {
   setsid();
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // it does not outlive a grader that is killed
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // so that it does not outlive a grader that is killed
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, 0);
   dup2(output, 1);
@@ -173,7 +173,7 @@ void Say(const char* text) {
   _exit(127);
 }
 
-/// Reads until the program has ended; stops it where it takes too long or prints too much.
+/// Reads until the program has ended; stops it if it takes too long or prints too much.
 class Watch {
  public:
   Watch(pid_t process, int output, const Limits& limits, const std::atomic<bool>* stop)
@@ -196,7 +196,7 @@ class Watch {
     return result_;
   }
 
-  /// The most addresses that a process of the program was seen to have, in MiB.
+  /// Returns the largest address space of a process of the program that was observed, in MiB.
   double PeakMemory() const { return peak_; }
 
  private:
@@ -208,13 +208,14 @@ class Watch {
     return result_;
   }
 
-  /// Reads /proc, since wait4 reports nothing of programs that bubblewrap starts.
+  /// Reads /proc, since wait4 reports nothing about programs that bubblewrap starts.
   void SampleMemory() {
     constexpr double seconds_between = 0.02;
     if (SecondsSince(sampled_) < seconds_between) return;
     sampled_ = Clock::now();
     std::vector<pid_t> all{process_};
-    constexpr std::size_t most = 100;  // processes: a fork bomb has no use for more
+    // processes: more than any program needs, except a fork bomb
+    constexpr std::size_t most = 100;
     for (std::size_t i = 0; i < all.size() && all.size() < most; ++i) {
       const auto children = ChildrenOf(all[i]);
       all.insert(all.end(), children.begin(), children.end());
@@ -251,7 +252,7 @@ class Watch {
   Clock::time_point sampled_ = begin_;
 };
 
-// What runtimes of languages, and tools, print when an allocation fails.
+// Messages of language runtimes and tools when an allocation fails.
 constexpr std::array signs_of_no_memory{
     "bad_alloc",        "MemoryError", "annot allocate memory", "ut of memory",   "OutOfMemory",
     "memory exhausted", "heap limit",  "memory allocation of",  "emory capacity", "not enough memory"};
@@ -275,7 +276,7 @@ std::string NoProgram(const std::string& program, const std::string& why) {
   std::error_code none;
   const bool is_there = program.find('/') != std::string::npos && fs::exists(program, none);
   if (why == std::strerror(ENOENT) && is_there)
-    return program + " is there, but not what runs it: the interpreter that its first line names, or a library";
+    return program + " exists, but the interpreter that its first line names, or a library, does not";
   if (why == std::strerror(EACCES))
     return program + ": " + why + "; it must be executable" +
            (IsSuperuser() ? ", and readable for user " + std::to_string(sandbox_user) : "");
@@ -303,6 +304,7 @@ void FindReason(RunResult& result, const std::string& program, double peak, cons
   }
 }
 
+/// Runs a command.
 ///   program   the student's own, which `words` may wrap
 RunResult RunWords(const std::vector<std::string>& words, const std::string& program, const fs::path& folder,
                    const Limits& limits, bool is_wrapped, const std::atomic<bool>* stop) {
@@ -319,7 +321,7 @@ RunResult RunWords(const std::vector<std::string>& words, const std::string& pro
   Watch watch(process, pipe.ends[0], limits, stop);
   RunResult result = watch.Wait();
   KillOrphans(earlier);
-  // The wrapper tells of a signal as shells do.
+  // The wrapper reports a signal as shells do.
   constexpr int shells_signal = 128;
   if (is_wrapped && result.end == RunResult::End::exited && result.status > shells_signal &&
       result.status < shells_signal + SIGRTMIN) {
@@ -340,7 +342,7 @@ bool IsOfSystem(const fs::path& path) {
                              [&](const char* folder) { return path.string().starts_with(std::string(folder) + "/"); });
 }
 
-/// The folder of each file that a word of the command names; of a folder itself.
+/// Returns the folder of each file that a word of the command names; for a folder the folder itself.
 std::vector<fs::path> FoldersOf(const std::vector<std::string>& command) {
   std::vector<fs::path> folders;
   for (const std::string& word : command) {
@@ -356,7 +358,7 @@ std::vector<fs::path> FoldersOf(const std::vector<std::string>& command) {
   return folders;
 }
 
-/// The words by which bubblewrap shows the system's folders and files, for reading only.
+/// Returns the arguments with which bubblewrap shows the system's folders and files, read-only.
 std::vector<std::string> SystemMounts() {
   std::vector<std::string> words;
   const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
@@ -367,13 +369,13 @@ std::vector<std::string> SystemMounts() {
     else
       add({"--ro-bind-try", system, system});
   }
-  // What bubblewrap makes on the way to a file is for its own user only, unless it is told otherwise.
+  // Folders that bubblewrap creates on the way to a file are accessible to its own user only, by default.
   add({"--perms", "0755", "--dir", "/etc", "--perms", "0755", "--dir", "/etc/ssl"});
   for (const char* file : system_files) add({"--ro-bind-try", file, file});
   return words;
 }
 
-/// The words by which bubblewrap shows a path where it is; `how` says whether it can be written.
+/// Returns the arguments with which bubblewrap shows a path in its place; `how` decides whether it is writable.
 std::vector<std::string> Mount(const char* how, const fs::path& path) {
   std::vector<std::string> words;
   fs::path parent;
@@ -385,7 +387,7 @@ std::vector<std::string> Mount(const char* how, const fs::path& path) {
   return words;
 }
 
-/// The words that take all rights away; a superuser becomes a user that nobody else is.
+/// Returns the arguments that drop all rights; a superuser becomes an otherwise unused user.
 std::vector<std::string> DroppedRights() {
   if (!IsSuperuser()) return {"--unshare-user", "--cap-drop", "ALL", "--"};
   const std::string user = std::to_string(sandbox_user);
@@ -395,7 +397,7 @@ std::vector<std::string> DroppedRights() {
           "--inh-caps",      "-all"};
 }
 
-/// The words that set limits on a program's processes, time, files and memory.
+/// Returns the arguments that set limits on a program's processes, time, files and memory.
 std::vector<std::string> LimitWords(const Limits& limits) {
   return {"prlimit",
           "--core=0",
@@ -426,9 +428,9 @@ std::string RunResult::Problem() const {
     case End::timed_out:
       return "was stopped after " + Rounded(seconds, 3) + " s";
     case End::too_much_output:
-      return "was stopped since it printed without end";
+      return "was stopped because it printed without end";
     case End::interrupted:
-      return "was stopped since the grader was";
+      return "was stopped because the grader was";
     case End::not_started:
       return "could not be started";
   }
@@ -461,7 +463,7 @@ const char* RunResult::Note() const {
 
 Sandbox::Sandbox(Mode mode) {
   if (mode == Mode::limits) {
-    why_not_ = "as asked for";
+    why_not_ = "as requested";
     return;
   }
   has_bubblewrap_ = true;

@@ -15,10 +15,10 @@
 namespace ray::grade {
 namespace {
 
-// Further than the samples of programs that smooth edges with four rays lie, a quarter of a pixel to each side.
+// Farther than the samples of programs that smooth edges with four rays, a quarter of a pixel to each side.
 constexpr R2::Vector shifts[]{{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
 
-/// The camera seen from a little aside, so that the whole image moves by so many pixels.
+/// Moves the camera slightly, so that the whole image moves by that many pixels.
 void Shift(Variant& variant, R2::Vector pixels) {
   if (pixels == R2::Vector{}) return;
   RenderSettings& settings = variant.settings;
@@ -35,12 +35,12 @@ R2::Image Finished(R2::Image image, const MistakeList& mistakes) {
   return image;
 }
 
-/// Applies them, and returns values for a screen.
+/// Applies them, and returns displayed values.
 R2::Image Shown(const R2::Image& image, const MistakeList& mistakes) {
   return Displayed(Finished(image, mistakes), R2::Display::straight);
 }
 
-/// Mistakes that are made before an image is rendered.
+/// Returns the mistakes that are applied before an image is rendered.
 MistakeList BeforeRendering(const MistakeList& mistakes) {
   MistakeList made;
   std::ranges::copy_if(mistakes, std::back_inserter(made), [](const Mistake* mistake) { return mistake->make; });
@@ -102,8 +102,8 @@ void SceneImages::RefuseIdleOptions(const Loader& load) {
   }
 }
 
-// Programs that smooth edges take 4 samples, or 16, or more; two and a half times what 16 samples change covers them
-// all. Rays through the corners of pixels, which are a mistake, change a pixel at an edge by more than that.
+// Programs that smooth edges take 4 samples, or 16, or more; two and a half times the change by 16 samples covers all
+// of them. Rays through the corners of pixels, which are a mistake, change a pixel at an edge by more than that.
 void SceneImages::FindSmoothing() {
   constexpr int many_samples = 16;
   constexpr double factor = 2.5;
@@ -216,7 +216,7 @@ std::string SceneImages::RayTreeAt(int x, int y) const {
   constexpr std::size_t most_rays = 24;
   const PixelTracer tracer(built_->world, *built_->accelerator, built_->scene.settings);
   std::string tree = RayTree(tracer.Trace(x, y, 1), built_->world, built_->scene.settings, most_rays);
-  // Students know the scene by its name, not by the folder where the grader keeps it.
+  // Students know the scene by its name, not by the folder where the grader stores it.
   const std::string folder = file_.substr(0, file_.rfind('/') + 1);
   for (std::size_t at = tree.find(folder); !folder.empty() && at != std::string::npos; at = tree.find(folder, at))
     tree.erase(at, folder.size());

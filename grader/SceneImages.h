@@ -18,56 +18,56 @@
 
 namespace ray::grade {
 
-/// A scene as it is to be rendered: read from its file, with its own settings and those of the suite in force.
+/// A scene to be rendered: read from its file, with its own settings and those of the suite applied.
 struct SceneToRender {
   Scene scene;
   RenderSettings settings;
   AcceleratorSettings accelerator;
 };
-/// Reads a scene; throws SceneErrors. Which options there are is known above this layer.
+/// Reads a scene; throws SceneErrors. The available options are defined above this layer.
 using Loader = std::function<SceneToRender(const SuiteScene& scene, const std::string& file)>;
 
-/// The largest |channel|.
+/// Returns the largest |channel|.
 inline double LargestChannel(const R2::Color& c) { return std::max({std::abs(c.r), std::abs(c.g), std::abs(c.b)}); }
 
 /// Mistakes that were made together, in this order.
 using MistakeList = std::vector<const Mistake*>;
 
-/// The reference image of a scene, which of its pixels can be relied on, and the images that mistakes make of it. Those
-/// are rendered when they are first asked for.
+/// The reference image of a scene, its reliable pixels, and the images with mistakes, which are rendered on demand.
 class SceneImages {
  public:
-  /// `file`: the scene, or what a seed has made of it.
+  /// `file`: the scene, or its variation by a seed.
   SceneImages(const SuiteScene& scene, const std::string& file, const Loader& load);
   ~SceneImages();
 
   const SuiteScene& scene() const { return scene_; }
-  /// Values for a screen, in 0..1.
+  /// Returns displayed values, in 0..1.
   const R2::Image& Reference() const { return reference_; }
-  /// By rows from the bottom. A pixel is steady unless it changes by more than the tolerance when the camera is moved
-  /// by less than half a pixel, or several surfaces are coincident there.
+  /// Returns the steady pixels, in rows from the bottom. A pixel is steady unless it changes by more than the tolerance
+  /// when the camera is moved by less than half a pixel, or several surfaces are coincident there.
   const std::vector<bool>& Steady() const { return steady_; }
-  /// Returns which pixels of the image with mistakes are steady in the same way; all of them where it cannot be made.
+  /// Returns the pixels of the image with mistakes that are steady in the same way; all of them if they do not apply.
   std::vector<bool> SteadyWith(const MistakeList& mistakes);
-  /// How far smoothed edges may be from the reference at each pixel: programs differ in where their samples lie.
+  /// Returns the possible difference of smoothed edges from the reference at each pixel, since the samples of programs
+  /// are at different places.
   const std::vector<double>& Smoothing() const { return smoothing_; }
-  /// Returns the image with mistakes, values for a screen; nothing where they cannot be made in this scene.
+  /// Returns the image with mistakes, as displayed; std::nullopt if they do not apply to this scene.
   std::optional<R2::Image> With(const MistakeList& mistakes);
   /// Returns the same before values are clamped.
   std::optional<R2::Image> LightWith(const MistakeList& mistakes);
-  /// With mistakes, as another program may show it: from a camera a tenth of a pixel aside, in bytes. Empty where the
-  /// mistakes cannot be made.
+  /// Returns the image with mistakes as another program may show it: with the camera shifted by a tenth of a pixel, in
+  /// bytes. Empty if the mistakes do not apply.
   R2::Image AsOfAnother(const MistakeList& mistakes) const;
-  /// The images as they are compared: as they are, or, where programs sample at random, means of blocks.
+  /// Returns the values that are compared: the image itself, or, if programs sample at random, means of blocks.
   R2::Image Cells(const R2::Image& image) const;
   int CellSide() const { return scene_.runs > 1 ? 8 : 1; }
-  /// What our rays do at a pixel, in lines.
+  /// Returns the tree of our rays at a pixel, in lines.
   std::string RayTreeAt(int x, int y) const;
 
  private:
   struct Built;
-  /// Empty where the mistakes, all of them made before an image is rendered, cannot be made; samples 0: as many as the
-  /// scene asks for.
+  /// Renders an image; empty if the mistakes, which must all be applied before rendering, do not apply. `samples` 0: as
+  /// many as the scene requests.
   R2::Image Light(const MistakeList& mistakes, R2::Vector shift_in_pixels = {}, int samples = 0) const;
   /// Throws SceneErrors if an option of the suite does not change the image.
   void RefuseIdleOptions(const Loader& load);
@@ -81,7 +81,7 @@ class SceneImages {
   std::vector<bool> steady_;
   std::vector<double> smoothing_;
   std::map<MistakeList, std::vector<bool>> steady_with_;
-  // What mistakes of the finished image begin with.
+  // The inputs of mistakes of the finished image.
   std::map<MistakeList, R2::Image> light_;
 };
 

@@ -19,13 +19,13 @@ constexpr int most_pixels_a_side = 4096;
 constexpr double most_seconds = 3600, most_points = 1e6, most_memory = 1 << 20;
 constexpr int most_runs = 16;
 
-/// A number from 1 on.
+/// Reads a number from 1 on.
 int Whole(Mapping& mapping, std::string_view name, int most, int otherwise) {
   const auto field = mapping.Find({name});
   return field ? static_cast<int>(field->Whole(1, most).value_or(otherwise)) : otherwise;
 }
 
-/// What a suite says for all of its scenes, and each scene for itself.
+/// Reads the settings that a suite makes for all of its scenes, and each scene for itself.
 void ReadShared(Mapping& mapping, SuiteScene& scene) {
   scene.points = mapping.Number({"points"}, {0, most_points}, scene.points);
   scene.width = Whole(mapping, "width", most_pixels_a_side, scene.width);
@@ -53,7 +53,7 @@ void ReadVary(Mapping& mapping, SuiteScene& scene) {
   }
 }
 
-/// One entry of "scenes".
+/// Reads an entry of "scenes".
 class SceneReader {
  public:
   explicit SceneReader(const std::string& folder) : folder_(folder) {}
@@ -96,7 +96,7 @@ std::vector<std::string> ReadCommand(Mapping& mapping) {
   return words;
 }
 
-/// Absolute, since programs run elsewhere.
+/// Returns absolute paths, since programs run elsewhere.
 std::vector<std::string> ReadReadable(Mapping& mapping, const std::string& folder) {
   std::vector<std::string> files;
   const auto field = mapping.Find({"readable"});
@@ -117,7 +117,7 @@ void ReadScenes(Mapping& mapping, const SuiteScene& usual, Suite& suite) {
   const auto field = mapping.Need({"scenes"});
   const auto list = field ? field->List() : std::nullopt;
   if (!list) return;
-  if (list->empty()) field->Error("must name a scene at least");
+  if (list->empty()) field->Error("must name at least one scene");
   SceneReader reader(fs::path(suite.file).parent_path().string());
   for (const Field& each : *list) reader.Read(each, usual, suite.scenes);
 }
@@ -144,7 +144,7 @@ Suite ReadFrom(const Document& document, Report& report) {
   return suite;
 }
 
-/// A scalar of YAML, whatever is in it.
+/// Returns a scalar of YAML with any content.
 std::string InQuotationMarks(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -188,11 +188,11 @@ std::string NewSuite(const std::string& folder) {
   if (failed || scenes.empty()) throw SceneErrors({ErrorIn(folder, "there are no scenes in this folder")});
   std::ranges::sort(scenes);
   std::string text =
-      "# A suite for raygrade. Scenes are relative to this file; what stands before them holds for all of them.\n"
+      "# A suite for raygrade. Scenes are relative to this file; settings before them apply to all.\n"
       "name: " +
       InQuotationMarks(fs::canonical(folder, failed).filename().string()) +
       "\n"
-      "width: 160\nheight: 120\nseconds: 10       # that the program may take for a scene\n"
+      "width: 160\nheight: 120\nseconds: 10       # time limit of the program for a scene\n"
       "tolerance: 0.02   # of a channel, 0 to 1\nallowed: 0.5      # percent of the steady pixels that may differ\n"
       "points: 1\nscenes:\n";
   for (const fs::path& scene : scenes) text += "  - scene: " + InQuotationMarks(scene.filename().string()) + "\n";

@@ -14,7 +14,7 @@ using Channels = std::array<double, 3>;
 
 Channels Of(const R2::Color& c) { return {c.r, c.g, c.b}; }
 
-/// Sums over pixels for a line through pairs of values, by least squares.
+/// Sums over pixels for fitting a line to pairs of values, by least squares.
 struct Line {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
 
@@ -30,7 +30,7 @@ struct Line {
   double Intercept() const { return n > 0 ? (y - Slope() * x) / n : 0; }
 };
 
-/// Values that no clamping has changed, in both images.
+/// Returns true if clamping changed neither value.
 bool IsWithin(double in, double out) {
   constexpr double low = 2.0 / 255, high = 1 - low;
   return in > low && in < high && out > low && out < high;
@@ -51,7 +51,7 @@ std::array<Line, 3> LinesOf(std::span<const TonePair> pairs) {
 
 std::string Times(double factor) { return Rounded(factor, 2) + " times as large"; }
 
-/// A change by one factor for all, by one for each channel, by an offset, or by both.
+/// Returns changes by one factor for all channels, by one for each, by an offset, or by both.
 std::vector<Tone> LinearTones(const std::array<Line, 3>& lines) {
   const Line all = lines[0] + lines[1] + lines[2];
   std::vector<Tone> tones;
@@ -65,7 +65,8 @@ std::vector<Tone> LinearTones(const std::array<Line, 3>& lines) {
   }
   const double d = all.Offset();
   tones.push_back({.name = "offset",
-                   .title = Rounded(std::abs(d), 2) + (d < 0 ? " is taken from all values" : " is added to all values"),
+                   .title = Rounded(std::abs(d), 2) +
+                            (d < 0 ? " is subtracted from all values" : " is added to all values"),
                    .hint = "Is a constant added to each pixel, the background's included?",
                    .offset = {d, d, d}});
   const double a = all.Slope(), b = all.Intercept();
@@ -130,7 +131,7 @@ std::vector<Tone> FittedTones(std::span<const TonePair> pairs) {
   constexpr double usual_gamma = 2.2;
   tones.push_back({.name = "gamma_decoded",
                    .title = "values are raised to the power 2.2",
-                   .hint = "Is gamma undone that was never applied?",
+                   .hint = "Is a gamma correction undone that was never applied?",
                    .exponent = usual_gamma,
                    .free_numbers = 0});
   return tones;

@@ -11,7 +11,7 @@
 namespace ray::grade {
 namespace {
 
-/// A number in [0, 1) that a seed, a scene and a place in it decide.
+/// Returns a number in [0, 1) that depends on a seed, a scene and a place in it.
 double Chosen(std::uint64_t seed, const std::string& scene, std::uint64_t place) {
   Hash hash;
   hash.Add(std::span(reinterpret_cast<const unsigned char*>(scene.data()), scene.size()));
@@ -22,7 +22,7 @@ double Chosen(std::uint64_t seed, const std::string& scene, std::uint64_t place)
   return static_cast<double>(hash.Value() >> 11) / two_to_53;
 }
 
-/// The text with a number for each {a..b}.
+/// Returns the text with a number for each {a..b}.
 std::string WithNumbers(std::string text, const SuiteScene& scene, std::uint64_t seed, std::uint64_t& place) {
   for (std::size_t begin = text.find('{'); begin != std::string::npos; begin = text.find('{', begin + 1)) {
     const std::size_t dots = text.find("..", begin), end = text.find('}', begin);

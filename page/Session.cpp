@@ -169,7 +169,7 @@ Bytes Preview(const Session& of, const ImagePart& part) {
   const std::vector<int> parts = PartsOfBlocks(film, part.of);
   for (int i = 0; i < film.Blocks(); ++i) film[i] = of.state.blocks[static_cast<std::size_t>(i)];
   const RenderSettings& render = of.scene.options.render;
-  const R2::Image shown = LayerAsShown(render.mode, film.Picture(render.quantization));
+  const R2::Image shown = LayerAsShown(render.mode, film.Image(render.quantization));
   const Bytes ppm = R2::FormatForName("image.ppm")->encode(shown, of.scene.options.encoding, {});
   const auto pixels = static_cast<std::size_t>(film.Region().Area());
   const unsigned char* rgb = ppm.data() + (ppm.size() - 3 * pixels);

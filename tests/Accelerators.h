@@ -171,12 +171,12 @@ inline void Compare(const ray::World& world, const std::vector<R3::Ray>& given, 
     for (std::size_t first = 0, count = 1; first < rays.size(); first += count, count = count % 37 + 5) {
       count = std::min(count, rays.size() - first);
       std::vector<std::optional<ray::WorldHit>> hits_of_packet(count);
-      const auto are_occluded = std::make_unique<bool[]>(count);
+      const auto is_occluded = std::make_unique<bool[]>(count);
       accelerator->Intersect(std::span(rays).subspan(first, count), hits_of_packet.data(), workspace);
-      accelerator->IsOccluded(std::span(shadows).subspan(first, count), are_occluded.get(), workspace);
+      accelerator->IsOccluded(std::span(shadows).subspan(first, count), is_occluded.get(), workspace);
       for (std::size_t i = 0; i < count; ++i) {
         ExpectSame(hits_of_packet[i], hits[first + i], rays[first + i], way.name + ", in packets");
-        EXPECT_EQ(are_occluded[i], occluded[first + i]) << way.name << ", together " << oracle::Hex(rays[first + i]);
+        EXPECT_EQ(is_occluded[i], occluded[first + i]) << way.name << ", together " << oracle::Hex(rays[first + i]);
       }
     }
   }

@@ -38,7 +38,7 @@ extern const MistakeTable camera_mistakes{
      .make = [](Variant& v) { v.OwnScene().camera.aspect = 1; }},
     {.name = "looks_backwards",
      .title = "the camera looks backwards",
-     .expected = "The view direction goes from the eye to what is looked at.",
+     .expected = "The view direction points from the eye to the target.",
      .hint = "What is behind the camera?",
      .make =
          [](Variant& v) {
@@ -70,7 +70,7 @@ extern const MistakeTable camera_mistakes{
            if (aspect > 0) v.OwnScene().camera.aspect = aspect;
          }},
     {.name = "up_not_orthogonal",
-     .title = "the camera's up vector is used as it stands in the file",
+     .title = "the camera's up vector is used as given in the file",
      .expected = "Up is made orthogonal to the view direction: up = right x towards.",
      .hint = "Are heights wrong where the camera looks down?",
      .make =

@@ -63,7 +63,7 @@ extern const MistakeTable lights_mistakes{
     {.name = "spot_exponent_ignored",
      .title = "spot lights do not fade towards the rim",
      .expected = "Within the cone, light is multiplied by the cosine of the angle to the axis, to the power sd.",
-     .hint = "How bright is the middle of the cone beside its rim?",
+     .hint = "How bright is the middle of the cone compared with its rim?",
      .make =
          [](Variant& v) {
            ChangeLights(v.OwnScene(), [](LightArguments& light) {
@@ -98,12 +98,12 @@ extern const MistakeTable lights_mistakes{
      .make = [](Variant& v) { v.settings.trace.shadows = false; }},
     {.name = "shadows_beyond_light",
      .title = "objects beyond a light cast shadows",
-     .expected = "Only what is nearer than the light blocks it: hits farther away than the light do not count.",
+     .expected = "Only surfaces nearer than the light block it: hits beyond the light do not count.",
      .hint = "Compare the distance of the hit with that of the light.",
      .make = [](Variant& v) { v.rules.shadow = ShadingRules::Shadow::beyond_light; }},
     {.name = "shadow_of_next_light",
      .title = "each light has the shadows of another one",
-     .expected = "Each light is blocked by what lies towards this light.",
+     .expected = "Each light is blocked only by surfaces on the way to it.",
      .hint = "Which light's position does the shadow ray get?",
      .make = [](Variant& v) { v.rules.shadow = ShadingRules::Shadow::of_next_light; }},
     {.name = "attenuation_swapped",

@@ -39,8 +39,8 @@ void MakeFolder(const fs::path& folder) {
 
 bool HasPlaceholder(const std::string& word) { return word.find('{') != word.npos; }
 
-/// An absolute path for a word that names an existing file, since programs run in folders of their own; links within
-/// its folder stay as they are. Other words are returned as they are.
+/// Returns an absolute path for a word that names an existing file, since programs run in separate folders; links
+/// within its folder are preserved. Returns other words unchanged.
 std::string WithPlace(const std::string& word, bool is_program) {
   std::error_code none;
   const bool has_slash = word.find('/') != word.npos, is_folder = word == "." || word == "..";
@@ -50,7 +50,7 @@ std::string WithPlace(const std::string& word, bool is_program) {
   return (fs::canonical(fs::absolute(word).parent_path()) / fs::path(word).filename()).string();
 }
 
-/// Throws a UsageError if the program of a command is not there: better once than as a failure of every scene.
+/// Throws a UsageError if the program of a command does not exist: better once than as a failure of every scene.
 void RequireProgram(const std::vector<std::string>& command) {
   const std::string& program = command[0];
   std::error_code none;
@@ -77,7 +77,7 @@ void RequireProgram(const std::vector<std::string>& command) {
 std::vector<std::string> CommandOf(const GradeOptions& options, const grade::Suite& suite) {
   std::vector<std::string> command(options.names.begin() + 1, options.names.end());
   if (command.empty()) command = suite.command;
-  if (command.empty()) throw UsageError("no command: write it behind --, as in -- ./student {scene} {image}");
+  if (command.empty()) throw UsageError("no command: write it after --, as in -- ./student {scene} {image}");
   if (!options.students.empty() &&
       std::ranges::none_of(command, [](const std::string& word) { return word.find("{student}") != word.npos; }))
     throw UsageError("with -students the command needs {student}, the folder of each");
@@ -91,7 +91,7 @@ std::vector<std::string> StudentsIn(const std::string& folder) {
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(folder, failed))
     if (entry.is_directory()) students.push_back(entry.path().filename().string());
-  if (failed || students.empty()) throw UsageError("-students " + Quoted(folder) + ": there are no folders in it");
+  if (failed || students.empty()) throw UsageError("-students " + Quoted(folder) + ": the folder contains no folders");
   std::ranges::sort(students);
   return students;
 }
@@ -109,7 +109,7 @@ void PrintResult(const StudentResult& student) {
   WriteStandardOutput(begin + Escaped(student.verdict.headline) + "\n");
 }
 
-/// Grades one student; what is known is written after each scene.
+/// Grades one student; writes the results so far after each scene.
 StudentResult GradeStudent(grade::Grader& grader, const std::string& name, const std::string& folder,
                            const fs::path& out, const std::string& results, const std::string& identity) {
   MakeFolder(out);
@@ -120,7 +120,7 @@ StudentResult GradeStudent(grade::Grader& grader, const std::string& name, const
   });
 }
 
-/// All that results depend on but a student's program.
+/// Identifies everything that results depend on except a student's program.
 std::string IdentityOf(const grade::Grader& grader, const GradeOptions& options, std::span<const std::string> command) {
   std::string text = "raygrade " RAYPRO_VERSION ", suite and scenes " + SceneHash(grader.Inputs()) + ", seed " +
                      std::to_string(options.seed) + ":";
@@ -134,7 +134,7 @@ std::string ContentOf(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What an earlier run has found, if that is complete and of the same suite, seed and command.
+/// Returns the result of an earlier run, if it is complete and of the same suite, seed and command.
 std::optional<StudentResult> Kept(const fs::path& results, const std::string& identity) {
   auto student = grade::ReadResultsJson(ContentOf(results), identity);
   return student && student->is_complete ? student : std::nullopt;
@@ -144,7 +144,7 @@ std::string FolderOf(const GradeOptions& options, const std::string& student) {
   return fs::canonical(fs::path(options.students) / student).string();
 }
 
-/// Says whose programs are not there before anybody is graded. Throws a UsageError if nobody's is.
+/// Reports missing programs before grading. Throws a UsageError if all are missing.
 void RequirePrograms(const grade::Grader& grader, const GradeOptions& options, const std::vector<std::string>& names) {
   if (!grader.Build().empty()) return;
   std::string without, missing;
@@ -162,7 +162,7 @@ void RequirePrograms(const grade::Grader& grader, const GradeOptions& options, c
   if (count > 0) PrintError("raygrade: there is no " + Quoted(missing) + " in the folders of " + without);
 }
 
-/// Takes over the comment that a teacher has written to a file beside the student's page.
+/// Reads the comment that a teacher has written to a file next to the student's page.
 void AddComment(const fs::path& folder, StudentResult& student) {
   student.comment = ContentOf(folder / "comment.txt");
   while (!student.comment.empty() && student.comment.back() == '\n') student.comment.pop_back();

@@ -4,7 +4,7 @@
 
 namespace ray::raygrade {
 
-/// Does what the options ask: grades a student or a class, tries all mistakes, or prints a new suite. Returns an exit
+/// Executes the options: grades a student or a class, tries all mistakes, or prints a new suite. Returns an exit
 /// status; throws UsageError, SceneErrors and OutputError.
 int Grade(const GradeOptions& options);
 

@@ -8,7 +8,7 @@
 namespace ray::raygrade {
 namespace {
 
-/// What raypro would be asked; size and bytes are the suite's.
+/// Returns the options of raypro; size and bytes are the suite's.
 RenderOptions OptionsFor(const grade::SuiteScene& scene, const std::string& file) {
   std::vector<std::string> words{file, "reference.pfm"};
   for (const std::string& word : SplitWords(scene.options)) words.push_back(word);

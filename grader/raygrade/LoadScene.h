@@ -5,7 +5,7 @@
 namespace ray::raygrade {
 
 /// Reads a scene with its own settings and those that the suite gives as options of raypro. Throws SceneErrors, also
-/// for options that are wrong, where they stand in the suite.
+/// for wrong options, with their place in the suite.
 grade::SceneToRender LoadScene(const grade::SuiteScene& scene, const std::string& file);
 
 }  // namespace ray::raygrade

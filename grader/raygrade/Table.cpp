@@ -16,16 +16,16 @@ namespace {
 
 #define AT(member) AT_OF(GradeOptions, member)
 
-// One entry stays one thought.
+// Each entry stays in one place.
 // clang-format off
 std::vector<OptionKind> GradingOptions() {
   constexpr int most_pairs = 1'000'000;
   constexpr KnownTo raygrade = KnownTo::one;
   return {
       {"out", raygrade, {}, {}, {"folder"}, FileName{AT(out), FileKind::folder}, "", "grading",
-       "folder for the pages and tables; made if it is missing"},
+       "folder for the pages and tables; created if missing"},
       {"students", raygrade, {}, {}, {"folder"}, FileName{AT(students), FileKind::folder}, "", "grading",
-       "grade a class: each folder in this one is a student, and {student} in the command"},
+       "grade a class: each folder in this one is a student, which the command names as {student}"},
       {"build", raygrade, {}, {}, {"command"}, Word{[](ray::Options& o, const std::string& word) {
          As<GradeOptions>(o).build = word;
          return !word.empty();
@@ -43,11 +43,11 @@ std::vector<OptionKind> GradingOptions() {
       {"resume", raygrade, {}, {}, {}, Flag{AT(resume)}, "", "grading",
        "keep the results of students that are complete in -out"},
       {"sandbox", raygrade, {}, {}, {"name"}, OneOfEnum<SandboxMode>(AT(sandbox)), "", "grading",
-       "how programs are run; auto: with bubblewrap where it works, else with limits only"},
+       "protection from programs; auto: bubblewrap if it works, otherwise limits only"},
       {"matrix", raygrade, {}, {}, {}, Flag{AT(matrix)}, "", "suites",
-       "try every known mistake in each scene, and print what is said of it"},
+       "try every known mistake in each scene, and print the verdicts"},
       {"pairs", raygrade, {}, {}, {"n"}, ray::Number<int>{AT(pairs), 0, most_pairs}, "", "suites",
-       "so many pairs of mistakes for -matrix as well"},
+       "number of pairs of mistakes that -matrix also tries"},
       {"new", raygrade, {}, {}, {"folder"}, FileName{AT(new_suite), FileKind::folder}, "", "suites",
        "print a suite of all scenes in the folder"},
   };
@@ -71,8 +71,8 @@ const Program Program::raygrade{
     .file_names = "suite.yaml -- command",
     .summary = "grade students' ray tracers and name their mistakes",
     .description =
-        "Runs a ray tracer on the scenes of a suite, compares its images with ours where pixels are\n"
-        "steady, and names the mistake that makes an image like it. In the command, {scene}, {image},\n"
+        "Runs a ray tracer on the scenes of a suite, compares its images with ours at steady\n"
+        "pixels, and names the mistake that causes the difference. In the command, {scene}, {image},\n"
         "{width}, {height} and {student} are replaced. docs/teachers.md says more.\n",
     .examples =
         "  raygrade share/suites/cos426/suite.yaml -- ./student {scene} {image} -width {width} -height {height}\n"

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A teacher's folder: a suite of one scene, and students' folders of which each has what builds a program.
+/// A teacher's folder: a suite of one scene, and students' folders with the files that build a program.
 struct TeachersFolder : TemporaryFolder {
   TeachersFolder() {
     fs::permissions(Path(), fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
@@ -64,7 +64,7 @@ TEST(Raygrade, AProgramBehindALinkIsFoundInTheSandbox) {
   EXPECT_TRUE(Has(place.Graded(std::string("-- linked/tracer {scene} {image}") + size), "a: 1/1"));
 }
 
-TEST(Raygrade, AMissingProgramIsSaidBeforeAnyPointsAre) {
+TEST(Raygrade, AMissingProgramIsReportedBeforeAnyPoints) {
   NEEDS_RAYGRADE();
   const TeachersFolder place;
   WriteFile(place / "plain", "text");
@@ -106,14 +106,14 @@ TEST(Raygrade, ProgramsAreBuiltInCopiesAndTheirLogIsOnThePage) {
       std::string("-students handed_in -build 'make -C {student}' -- {student}/tracer {scene} {image}") + size);
   EXPECT_TRUE(Has(printed, "amy: a: 1/1")) << printed;
   EXPECT_TRUE(Has(printed, "bob: The program was not built: the command make -C {student} ended")) << printed;
-  EXPECT_TRUE(Has(printed, "cat: The program was not built: the command make -C {student} made no tracer"))
+  EXPECT_TRUE(Has(printed, "cat: The program was not built: the command make -C {student} did not make tracer"))
       << printed;
   EXPECT_TRUE(Has(ReadFile(place / "graded/amy/index.html"), "building it"));
   EXPECT_TRUE(Has(ReadFile(place / "graded/bob/index.html"), "tracer.on"));
-  EXPECT_FALSE(fs::exists(place / "handed_in/amy/tracer")) << "what was handed in has changed";
+  EXPECT_FALSE(fs::exists(place / "handed_in/amy/tracer")) << "the submission has changed";
 }
 
-TEST(Raygrade, CommentsByHandOutliveResume) {
+TEST(Raygrade, CommentsOfTeachersOutliveResume) {
   NEEDS_RAYGRADE();
   const TeachersFolder place;
   place.AddTracer("handed_in/amy");
@@ -138,7 +138,7 @@ TEST(Raygrade, OptionsWithoutEffectAreAnError) {
   EXPECT_TRUE(Has(printed, "suite.yaml:5:14: error: the option '-fresnel' does not change the image of a")) << printed;
 }
 
-TEST(Raygrade, TheCommandOfABuildHasLimitsOfItsOwn) {
+TEST(Raygrade, TheBuildCommandHasItsOwnLimits) {
   NEEDS_RAYGRADE();
   const TeachersFolder place;
   WriteFile(place / "suite.yaml", "width: 32\nheight: 24\nbuild_seconds: 0.5\nscenes:\n  - scene: a.scn\n");
@@ -148,7 +148,7 @@ TEST(Raygrade, TheCommandOfABuildHasLimitsOfItsOwn) {
   EXPECT_TRUE(Has(printed, "was not built: the command sleep 60 was stopped after 0.5")) << printed;
 }
 
-/// The lines of docs/teachers.md that are commands for a folder of Gradescope's, in one.
+/// Returns the commands in docs/teachers.md for a folder of Gradescope, in one line.
 std::string GradescopesCommands() {
   std::istringstream page(ReadFile((project::Root() / "docs/teachers.md").string()));
   std::string commands;

@@ -11,7 +11,7 @@
 #include "tests/Project.h"
 #include "tests/source/app/Program.h"
 
-/// AddressSanitizer reserves 20 TiB of addresses for its notes; ThreadSanitizer does not start with any limit on them.
+/// AddressSanitizer reserves 20 TiB of address space; ThreadSanitizer does not start with any limit on it.
 #define NEEDS_A_PROGRAM_TO_GRADE() \
   NEEDS_THE_PROGRAM();             \
   NEEDS_NO_THREAD_SANITIZER("raypro cannot run under the limit on memory of graded programs")
@@ -27,7 +27,7 @@ grade::Suite MirrorSuite() {
   return suite;
 }
 
-/// raypro as a student's program, with more options.
+/// Grades raypro as a student's program, with more options.
 grade::StudentResult GradeRaypro(const std::vector<std::string>& more, std::uint64_t seed = 0) {
   grade::Suite suite = MirrorSuite();
   if (project::has_address_sanitizer) suite.memory = 0x1p30;  // MiB
@@ -66,7 +66,7 @@ TEST(Grader, TwoMistakesAreNamedTogether) {
   EXPECT_TRUE(Has(scene.mistakes, "one_bounce_less") && Has(scene.mistakes, "no_shadows")) << scene.mistakes;
 }
 
-TEST(Grader, AnImageOfAnotherSizeSaysSo) {
+TEST(Grader, AnImageOfAnotherSizeIsReported) {
   NEEDS_A_PROGRAM_TO_GRADE();
   const auto scene = GradeRaypro({"-width", "90", "-height", "120"}).scenes[0];
   EXPECT_EQ(scene.outcome, Outcome::failed);
@@ -88,7 +88,7 @@ TEST(Grader, ResultsSurviveWritingAndReading) {
   EXPECT_FALSE(grade::ReadResultsJson(damaged, "suite 1"));
 }
 
-/// A student with some points in one scene, and a remark.
+/// Returns a student with some points in one scene, and a remark.
 grade::StudentResult StudentWith(const std::string& name, double score, const std::string& note) {
   grade::StudentResult student{.name = name, .scenes = {}};
   student.scenes.resize(1);
@@ -112,14 +112,14 @@ TEST(Grader, TheClassHasItsMaximumMeanAndMedian) {
   EXPECT_TRUE(Has(ClassCsv(students), "(median),mirrors,8,4,"));
 }
 
-TEST(Grader, PagesHoldNoScriptAndNoForeignText) {
+TEST(Grader, PagesContainNoScriptsAndNoForeignMarkup) {
   grade::StudentResult student{.name = "<script>", .scenes = {}};
   const std::string page = StudentPage(student, MirrorSuite(), "");
   EXPECT_FALSE(Has(page, "<script")) << page;
   EXPECT_TRUE(Has(page, "&lt;script&gt;"));
 }
 
-TEST(Base64, GivesTheExamplesOfItsStandard) {
+TEST(Base64, MatchesTheExamplesOfItsStandard) {
   const auto of = [](const std::string& text) {
     return grade::Base64(std::span(reinterpret_cast<const unsigned char*>(text.data()), text.size()));
   };

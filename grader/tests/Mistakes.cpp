@@ -25,7 +25,7 @@ grade::Suite SuiteNamed(const std::string& course) {
   return grade::ReadSuite((project::Root() / "share/suites" / course / "suite.yaml").string());
 }
 
-/// The suite with small images, so that a test takes a second.
+/// Returns the suite with small images, so that a test takes a second.
 grade::Suite SmallSuite(const std::string& course) {
   grade::Suite suite = SuiteNamed(course);
   for (grade::SuiteScene& scene : suite.scenes) scene.width = scene.width / 2, scene.height = scene.height / 2;
@@ -59,7 +59,7 @@ TEST(Mistakes, RulesOfTheEquationGiveTheImageOfModeWhitted) {
   }
 }
 
-// Mistakes are made in copies of one scene: what a copy lost would be taken for a mistake of the student.
+// Mistakes are applied to copies of one scene: a loss in a copy would look like a mistake of the student.
 TEST(Mistakes, ACopiedSceneIsRenderedAsTheOriginal) {
   for (const char* course : {"cos426", "groningen", "cs315", "comp30019", "infogr"}) {
     const grade::Suite suite = SmallSuite(course);
@@ -76,7 +76,7 @@ TEST(Mistakes, ACopiedSceneIsRenderedAsTheOriginal) {
   }
 }
 
-TEST(Mistakes, NoneChangesTheSceneItIsMadeOf) {
+TEST(Mistakes, NoneChangesItsSourceScene) {
   const grade::Suite suite = SmallSuite("cos426");
   const grade::SuiteScene& of = suite.scenes.front();
   const grade::SceneToRender loaded = raygrade::LoadScene(of, of.file);
@@ -102,7 +102,7 @@ TEST_P(MistakesOfCourse, AreNeverNamedWronglyAndNearlyAlwaysNamed) {
 }
 INSTANTIATE_TEST_SUITE_P(Suites, MistakesOfCourse, ::testing::Values("cs315", "infogr"));
 
-// A cause that changes less is lost among what the suite allows.
+// A smaller change is lost within the tolerance of the suite.
 TEST(Mistakes, EachChangesTwoPercentOfASceneOfTheCos426Suite) {
   const grade::Suite suite = SuiteNamed("cos426");
   grade::Grader grader(suite, {}, raygrade::LoadScene);
@@ -113,7 +113,7 @@ TEST(Mistakes, EachChangesTwoPercentOfASceneOfTheCos426Suite) {
   }
 }
 
-/// Judges a student who handed in this image alone.
+/// Judges a student who submitted only this image.
 grade::SceneResult Judged(const R2::Image& student, const grade::Suite& suite, grade::SceneImages& images,
                           grade::StudentVerdict* verdict = nullptr) {
   grade::StudentResult result;
@@ -125,7 +125,7 @@ grade::SceneResult Judged(const R2::Image& student, const grade::Suite& suite, g
   return result.scenes[0];
 }
 
-/// That scene of a suite, at its full size.
+/// A scene of a suite, at its full size.
 struct OneScene {
   OneScene(const std::string& course, const std::string& scene) : suite(SuiteNamed(course)) {
     std::erase_if(suite.scenes, [&](const grade::SuiteScene& one) { return one.name != scene; });
@@ -136,9 +136,9 @@ struct OneScene {
   std::optional<grade::Grader> grader;
 };
 
-// A program of Groningen without a buffer of normals showed ambient light instead, and was told that its camera looks
-// backwards: that image is black, and black was nearer to what is dark than normals were.
-TEST(Mistakes, WhatIsDarkIsNotTakenForBlack) {
+// A program of Groningen without a normal buffer showed ambient light instead, and raygrade named a camera that looks
+// backwards: that image is black, and black was closer to the dark image than normals were.
+TEST(Mistakes, DarkImagesAreNotTakenForBlack) {
   OneScene scene("groningen", "normals");
   R2::Image dim = scene.Images().Reference();
   for (int y = 0; y < dim.Height(); ++y)
@@ -152,7 +152,7 @@ const grade::Mistake* MistakeNamed(std::string_view name) {
   return *std::ranges::find_if(grade::Mistakes(), [&](const auto* one) { return one->name == name; });
 }
 
-// Edges moved by half a pixel leave dark specks, which were taken for shadow acne.
+// Edges moved by half a pixel leave dark specks, which were mistaken for shadow acne.
 TEST(Mistakes, RaysThroughCornersAreNoAcneAndCostNothing) {
   OneScene scene("cs315", "shadows");
   const auto student = scene.Images().With({MistakeNamed("half_a_pixel")});
@@ -172,8 +172,8 @@ TEST(Mistakes, DarkSpecksOnLitSurfacesAreAcne) {
   EXPECT_TRUE(Has(result.remarks[0], "Shadow acne")) << result.remarks[0];
 }
 
-// The second of two was chosen for a first that stood for another, and light that falls with the square was named.
-TEST(Mistakes, TheFirstOfTwoIsLookedForAgain) {
+// The second mistake was chosen for a first one that stood for another, and light that fades with the square was named.
+TEST(Mistakes, TheFirstOfTwoIsSearchedAgain) {
   OneScene scene("groningen", "shadows");
   const R2::Image student =
       scene.Images().AsOfAnother({MistakeNamed("spheres_missing"), MistakeNamed("divided_by_pi")});
@@ -186,7 +186,7 @@ TEST(Mistakes, AThinSurfaceLitFromBehindShowsAnAbsoluteCosine) {
   EXPECT_TRUE(IsVisible(scene.Images(), {MistakeNamed("absolute_cosine")}));
 }
 
-TEST(Mistakes, ShadowsWhereLightGrazesASmoothMeshAreTold) {
+TEST(Mistakes, ShadowTerminatorsOnSmoothMeshesAreReported) {
   OneScene scene("cos426", "smooth");
   const auto closed = scene.Images().With({MistakeNamed("no_diffuse"), MistakeNamed("no_highlight")}),
              flat = scene.Images().With({MistakeNamed("flat_shading")});

@@ -67,7 +67,7 @@ TEST(Sandbox, FilesStayBelowTheirLimit) {
   }
 }
 
-TEST(Sandbox, ASignalIsToldByName) {
+TEST(Sandbox, ASignalIsReportedByName) {
   for (const Sandbox& sandbox : Sandboxes()) {
     const Workplace place;
     const RunResult result = RunHostile(sandbox, place, "crasher");
@@ -82,7 +82,7 @@ TEST(Sandbox, MemoryHasALimit) {
   }
 }
 
-TEST(Sandbox, KindsOfDeathAreToldApart) {
+TEST(Sandbox, KindsOfFailureAreDistinguished) {
   for (const Sandbox& sandbox : Sandboxes()) {
     const Workplace place;
     const auto end = [&](const std::vector<std::string>& command) {
@@ -96,7 +96,7 @@ TEST(Sandbox, KindsOfDeathAreToldApart) {
     EXPECT_EQ(end({"/bin/sh", "-c", "exec cat /dev/zero > big"}).first, RunResult::End::large_file);
     EXPECT_EQ(end({"/bin/sh", "-c", "echo std::bad_alloc; exit 1"}).first, RunResult::End::out_of_memory);
     EXPECT_EQ(end({"/nowhere/tracer"}).first, RunResult::End::no_program);
-    // What a program's own shell does not find is its own failure.
+    // A file that a program's own shell does not find is its own failure.
     EXPECT_EQ(end({"/bin/sh", "-c", "/nowhere/tracer"}).first, RunResult::End::exited);
     fs::permissions(WriteFile(place / "plain", "text"), fs::perms::others_read | fs::perms::owner_read);
     EXPECT_TRUE(Has(end({place / "plain"}).second, "must be executable")) << end({place / "plain"}).second;
@@ -105,8 +105,8 @@ TEST(Sandbox, KindsOfDeathAreToldApart) {
   }
 }
 
-// It was aborted before it was the program, where its words did not fit the memory that was free in the grader.
-TEST(Sandbox, AProgramMayHaveLessMemoryThanTheGraderTakesItself) {
+// It was aborted before it was the program, because its arguments did not fit into the grader's free memory.
+TEST(Sandbox, AProgramMayHaveLessMemoryThanTheGraderUses) {
   constexpr std::size_t much = std::size_t{1} << 28;
   const std::unique_ptr<char[]> of_the_grader(new char[much]);
   const Workplace place;
@@ -142,7 +142,7 @@ TEST(Sandbox, AStoppedGraderStopsTheProgram) {
   }
 }
 
-TEST(Sandbox, BubblewrapKeepsFilesAsTheyAre) {
+TEST(Sandbox, BubblewrapProtectsFiles) {
   const Sandbox sandbox(Sandbox::Mode::automatic);
   if (!sandbox.IsolatesPrograms()) GTEST_SKIP() << sandbox.Describe();
   const Workplace place, scenes, other;
@@ -166,7 +166,7 @@ TEST(Sandbox, BubblewrapHidesTheMachine) {
   EXPECT_FALSE(sandbox.Run({"/bin/sh", "-c", "cat </etc/passwd"}, place.Path(), {}, limits).IsGood());
   EXPECT_FALSE(sandbox.Run({"/bin/sh", "-c", "cat " + other / "secret"}, place.Path(), {}, limits).IsGood());
   EXPECT_TRUE(sandbox.Run({"/bin/sh", "-c", "echo 1 > here"}, place.Path(), {}, limits).IsGood());
-  // Node looks for settings of OpenSSL there, and ends where it may not.
+  // Node looks for settings of OpenSSL there, and ends without access.
   EXPECT_TRUE(sandbox.Run({"/bin/sh", "-c", "ls /etc/ssl"}, place.Path(), {}, limits).IsGood());
 }
 

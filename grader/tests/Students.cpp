@@ -1,4 +1,5 @@
-// Right ray tracers of others, in grader/tests/students: what raygrade calls a mistake in their images is one of ours.
+// Correct ray tracers of others, in grader/tests/students: a mistake that raygrade names in their images is one of
+// ours.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Their sources, where a sandbox's user may read them.
+/// Their sources, in a place where a sandbox's user may read them.
 struct StudentsFolder : TemporaryFolder {
   StudentsFolder() {
     fs::copy(project::Root() / "grader/tests/students", Path());
@@ -28,7 +29,7 @@ struct StudentsFolder : TemporaryFolder {
 
 bool Succeeds(const std::string& command) { return std::system((command + " > /dev/null 2>&1").c_str()) == 0; }
 
-/// All scenes of a suite but those that the program does not claim to know, graded with what `command` says.
+/// Expects full points in all scenes of a suite except those that the program does not support, graded with `command`.
 void ExpectAllPoints(const std::string& course, const std::vector<std::string>& command, const fs::path& readable,
                      const std::string& unknown = {}) {
   grade::Suite suite = grade::ReadSuite((project::Root() / "share/suites" / course / "suite.yaml").string());
@@ -82,7 +83,7 @@ class Stranger {
   bool IsBuilt() const { return is_built_; }
   const grade::Suite& suite() const { return suite_; }
 
-  /// The images of a student whose program gets these words: names of mistakes and liberties.
+  /// Returns the images of a student whose program gets these arguments: names of mistakes and liberties.
   std::vector<grade::HandedIn> Images(const std::string& words) {
     std::vector<grade::HandedIn> handed_in;
     for (const auto& images : grader_->Scenes()) {
@@ -111,7 +112,7 @@ class Stranger {
   bool is_built_ = false;
 };
 
-// No mistake is named for what JPEG loses, however the image is encoded. Some points may be lost with it.
+// No mistake may be named for the losses of JPEG, with any encoding of the image. Points may be lost, however.
 TEST(Students, RightProgramsThatWriteJpegAreNotAccused) {
   if (!Succeeds("cc --version")) GTEST_SKIP() << "there is no C compiler";
   for (const char* course : {"cos426", "infogr"}) {
@@ -128,7 +129,7 @@ TEST(Students, RightProgramsThatWriteJpegAreNotAccused) {
   }
 }
 
-// Rays through the lower corners of pixels are not here, since they lose points.
+// Rays through the lower corners of pixels are excluded, since they lose points.
 TEST(Students, RightProgramsThatDifferLegallyAreRight) {
   if (!Succeeds("cc --version")) GTEST_SKIP() << "there is no C compiler";
   for (const char* course : {"cos426", "infogr"}) {
@@ -147,7 +148,7 @@ TEST(Students, RightProgramsThatDifferLegallyAreRight) {
   }
 }
 
-/// A mistake of the stranger's program, and the names that are right for it; empty: it is in no table.
+/// A mistake of the stranger's program, and the correct names for it; empty: it is in no table.
 struct Foreign {
   const char* word;
   const char* name;
@@ -183,7 +184,7 @@ TEST(Students, MistakesOfAForeignProgramAreNamed) {
     ExpectNamed(stranger, foreign);
 }
 
-// A search among pairs takes seconds for each, so that a part of them is tried unless the environment asks for more.
+// A search among pairs takes seconds for each, so only a part of them is tried unless the environment requests more.
 TEST(Students, MistakesOfNoTableAreNotNamed) {
   if (!Succeeds("cc --version")) GTEST_SKIP() << "there is no C compiler";
   Stranger stranger("cos426");

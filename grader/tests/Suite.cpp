@@ -17,7 +17,7 @@ std::string MessageOf(const std::string& file) {
   return project::MessageOf<SceneErrors>([&] { grade::ReadSuite(file); });
 }
 
-TEST(Suite, ScenesTakeWhatStandsBeforeThem) {
+TEST(Suite, ScenesInheritTheSettingsBeforeThem) {
   const SuiteFolder place;
   const auto suite = grade::ReadSuite(place.Write("width: 30\npoints: 2\nscenes:\n  - {scene: a.scn, width: 40}\n"));
   ASSERT_EQ(suite.scenes.size(), 1U);
@@ -26,21 +26,21 @@ TEST(Suite, ScenesTakeWhatStandsBeforeThem) {
   EXPECT_EQ(suite.scenes[0].name, "a");
 }
 
-TEST(Suite, AMissingSceneIsPointedAt) {
+TEST(Suite, AMissingSceneIsReportedAtItsPlace) {
   const SuiteFolder place;
   const std::string message = MessageOf(place.Write("scenes:\n  - scene: b.scn\n"));
   EXPECT_TRUE(Has(message, "suite.yaml:2:12: error")) << message;
   EXPECT_TRUE(Has(message, "^")) << message;
 }
 
-TEST(Suite, SeveralMistakesAreToldAtOnce) {
+TEST(Suite, SeveralMistakesAreReportedAtOnce) {
   const SuiteFolder place;
   const std::string message = MessageOf(place.Write("seconds: -1\nscenes:\n  - {scene: a.scn, points: many}\n"));
   EXPECT_TRUE(Has(message, "seconds")) << message;
   EXPECT_TRUE(Has(message, "points")) << message;
 }
 
-TEST(Suite, AnUnknownKeyIsWarnedOf) {
+TEST(Suite, AnUnknownKeyCausesAWarning) {
   const SuiteFolder place;
   const auto suite = grade::ReadSuite(place.Write("widht: 3\nscenes:\n  - scene: a.scn\n"));
   ASSERT_EQ(suite.warnings.size(), 1U);
@@ -53,7 +53,7 @@ TEST(Suite, SyntaxErrorsHaveAPlace) {
   EXPECT_TRUE(Has(MessageOf(place.Write("scenes: [\n")), "suite.yaml:")) << MessageOf(place.Write("scenes: [\n"));
 }
 
-TEST(Suite, TwoScenesOfOneNameAreRefused) {
+TEST(Suite, TwoScenesWithTheSameNameAreRejected) {
   const SuiteFolder place;
   EXPECT_TRUE(Has(MessageOf(place.Write("scenes:\n  - scene: a.scn\n  - scene: a.scn\n")), "another scene"));
 }
@@ -71,19 +71,19 @@ TEST(Suite, ANewSuiteNamesFilesOfAnyName) {
   EXPECT_EQ(grade::ReadSuite(place / "suite.yaml").scenes[1].name, "b: #1 \"x\"");
 }
 
-TEST(Suite, WhatProgramsMayReadMustBeThere) {
+TEST(Suite, ReadableFilesMustExist) {
   const SuiteFolder place;
   const std::string message = MessageOf(place.Write("readable: [nowhere]\nscenes:\n  - scene: a.scn\n"));
   EXPECT_TRUE(Has(message, "suite.yaml:1:12: error")) << message;
 }
 
-TEST(Suite, ImagesHaveAtMost4096PixelsASide) {
+TEST(Suite, ImagesAreLimitedTo4096PixelsOnASide) {
   const SuiteFolder place;
   const std::string message = MessageOf(place.Write("width: 5000\nscenes:\n  - scene: a.scn\n"));
   EXPECT_TRUE(Has(message, "suite.yaml:1:8: error")) << message;
 }
 
-TEST(Suite, ASeedDecidesWhatVaries) {
+TEST(Suite, ASeedDecidesTheVariation) {
   grade::SuiteScene scene;
   scene.name = "a";
   scene.vary = {{"sphere -1", "sphere {1..2}", {}}};
@@ -93,7 +93,7 @@ TEST(Suite, ASeedDecidesWhatVaries) {
   EXPECT_TRUE(Has(Varied(text, scene, 3), "camera\nsphere 1."));
 }
 
-TEST(Suite, ATextToBeVariedMustBeThereOnce) {
+TEST(Suite, ATextToBeVariedMustOccurOnce) {
   grade::SuiteScene scene;
   scene.vary = {{"1", "2", {}}};
   EXPECT_THROW(Varied("1 1", scene, 3), SceneErrors);

@@ -8,11 +8,11 @@
 namespace ray {
 namespace {
 
-constexpr double radians_across = 4;  // of a drag over the whole drawing
-constexpr double filled = 0.9;        // of the picture, by what is framed
+constexpr double radians_across = 4;  // rotation by a drag across the whole drawing
+constexpr double filled = 0.9;        // share of the image that a framed box fills
 constexpr double narrowest = 0.005, widest = 1.5;
 
-/// A copy of a camera in another pose.
+/// Returns a copy of a camera in another pose.
 Camera Posed(const Camera& like, const R3::Point& eye, const R3::Vector& towards, const R3::Vector& up) {
   const Camera aimed = Aim(eye, towards, up).camera;
   Camera camera = like;
@@ -25,23 +25,24 @@ Camera Posed(const Camera& like, const R3::Point& eye, const R3::Vector& towards
 
 double HalfHeight(const Camera& camera, const DrawingSize& size) { return camera.HalfHeight(size.width, size.height); }
 
-/// The way from the eye to the middle of the picture, 1 along the axis.
+/// Returns the vector from the eye to the middle of the image, 1 along the axis.
 R3::Vector TowardsMiddle(const Camera& camera) {
   const double half_width = camera.HalfWidth();
   return camera.towards + camera.shift.x * half_width * camera.right + camera.shift.y * half_width * camera.up;
 }
 
-/// How far the view may still be tilted before it looks along the vertical.
+/// Returns the tilt, limited so that the view does not reach the vertical.
 double AllowedTilt(const Camera& camera, const R3::Vector& vertical, double tilt) {
-  constexpr double closest = 0.01;  // radians to a pole
+  constexpr double closest = 0.01;  // minimum angle to a pole in radians
   const double elevation = R1::Asin(std::clamp(Dot(camera.towards, Unit(vertical)), -1.0, 1.0));
   const double most = R1::Acos(0.0) - closest;
   return std::clamp(tilt, std::min(0.0, -most - elevation), std::max(0.0, most - elevation));
 }
 
-/// Whether it looks along the vertical, as axis views do, so that this is no direction on the picture.
+/// Returns true if the camera looks along the vertical, as axis views do, so that the vertical has no direction in the
+/// image.
 bool IsAtPole(const Camera& camera, const R3::Vector& vertical) {
-  constexpr double nearest = 1e-6;  // radians; drags stop far before
+  constexpr double nearest = 1e-6;  // angle in radians; drags stop far before
   return Length(Cross(camera.towards, Unit(vertical))) < nearest;
 }
 
@@ -62,7 +63,7 @@ Camera Rotated(const Camera& camera, const R3::Point& center, const R2::Point& d
 Camera RotatedUpright(const Camera& camera, const R3::Point& center, const R3::Vector& vertical,
                       const R2::Point& drag) {
   const Camera around = Turned(camera, center, vertical, -radians_across * drag.x);
-  // Dragging upward sinks the eye, and so lifts the view.
+  // An upward drag lowers the eye, and so raises the view.
   const double tilt = AllowedTilt(around, vertical, radians_across * drag.y);
   const Camera tilted = Turned(around, center, around.right, tilt);
   return Posed(camera, tilted.eye, tilted.towards, IsAtPole(tilted, vertical) ? tilted.up : vertical);
@@ -102,7 +103,7 @@ Camera Framed(const Camera& camera, const R3::Box& box, const DrawingSize& size)
     back = std::max({back, std::abs(Dot(off, camera.right)) / half_width - depth,
                      std::abs(Dot(off, camera.up)) / half_height - depth});
   }
-  if (!(back > 0)) return camera;  // a point is seen from anywhere
+  if (!(back > 0)) return camera;  // a point is visible from anywhere
   return Posed(camera, center - back * TowardsMiddle(camera), camera.towards, camera.up);
 }
 
@@ -131,7 +132,7 @@ double DepthOf(const Camera& camera, const R3::Point& p) { return Dot(p - camera
 
 ClipMatrix ClipFromDrawing(const Camera& camera, const DrawingSpace& space, const R3::Box& box,
                            const DrawingSize& size) {
-  // All in units of the drawing space.
+  // In units of the drawing space.
   double nearest = 1, farthest = 2;
   if (!box.IsEmpty()) {
     const double middle = DepthOf(camera, box.Center()) / space.radius, radius = box.Radius() / space.radius;

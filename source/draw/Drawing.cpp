@@ -8,7 +8,7 @@ namespace ray {
 namespace {
 
 std::uint8_t Byte(double value) {
-  return value > 0 ? static_cast<std::uint8_t>(std::lround(255 * std::min(value, 1.0))) : std::uint8_t{0};  // also NaN
+  return value > 0 ? static_cast<std::uint8_t>(std::lround(255 * std::min(value, 1.0))) : std::uint8_t{0};  // 0 for NaN
 }
 
 }  // namespace
@@ -17,7 +17,7 @@ DrawingSpace DrawingSpace::Of(const R3::Box& scene) {
   DrawingSpace space;
   if (scene.IsEmpty()) return space;
   space.center = scene.Center();
-  // Halved before they are subtracted: boxes may be as wide as doubles go.
+  // Halved before subtraction: boxes may be as wide as the range of doubles.
   const double radius = Length(R3::Vector{scene.high.x / 2 - scene.low.x / 2, scene.high.y / 2 - scene.low.y / 2,
                                           scene.high.z / 2 - scene.low.z / 2});
   if (radius > 0) space.radius = std::min(radius, std::numeric_limits<double>::max());
@@ -48,7 +48,7 @@ void Append(Lines& lines, const Lines& more) { lines.insert(lines.end(), more.be
 Rgba Shown(const R2::Color& color, double alpha) { return {Byte(color.r), Byte(color.g), Byte(color.b), Byte(alpha)}; }
 
 Rgba LineOnLight(const Rgba& color) {
-  constexpr double brightest = 0.2;  // luminance: 3 : 1 and more beside near white
+  constexpr double brightest = 0.2;  // luminance: a contrast of at least 3 : 1 on near white
   const int least = std::min({color[0], color[1], color[2]});
   const auto share = [&](std::size_t i) { return (color[i] - least) / 255.0; };
   R2::Color light = DecodeSrgb(R2::Color{share(0), share(1), share(2)});

@@ -12,7 +12,7 @@
 #include "R3/Box.h"
 #include "R3/Vector.h"
 
-/// What is drawn, as lists that know nothing of OpenGL.
+/// The contents of drawings, as lists without reference to OpenGL.
 namespace ray {
 
 /// The coordinates of drawings: relative to the center of a scene, in units of its radius, so that single precision
@@ -21,7 +21,7 @@ struct DrawingSpace {
   R3::Point center;
   double radius = 1;  // > 0
 
-  /// The space of a scene with this box; radius 1 for an empty one or a point.
+  /// Returns the space of a scene with this box; the radius is 1 for an empty box or a point.
   static DrawingSpace Of(const R3::Box& scene);
   std::array<float, 3> At(const R3::Point& p) const {
     return {static_cast<float>((p.x - center.x) / radius), static_cast<float>((p.y - center.y) / radius),
@@ -29,25 +29,26 @@ struct DrawingSpace {
   }
 };
 
-/// From a DrawingSpace to OpenGL's clip space, column by column.
+/// A matrix from a DrawingSpace to OpenGL's clip space, column by column.
 using ClipMatrix = std::array<double, 16>;
 using ClipRow = std::array<double, 4>;
 inline ClipRow Row(const R3::Vector& v, double last) { return {v.x, v.y, v.z, last}; }
 ClipMatrix FromRows(const std::array<ClipRow, 4>& rows);
-/// What an eye sees between two distances along `towards`, which is of length 1. `right` and `up` are as long as what
-/// is seen at distance 1 is wide and high, inverted.
+/// Returns the perspective projection of an eye between two distances along `towards`, which has length 1. The lengths
+/// of `right` and `up` are the inverse width and height of the view at distance 1.
 ClipMatrix Perspective(const R3::Vector& eye, const R3::Vector& towards, const R3::Vector& right, const R3::Vector& up,
                        double nearest, double farthest);
 
-/// 8 bits per channel: red, green, blue, alpha.
+/// A color with 8 bits per channel: red, green, blue, alpha.
 using Rgba = std::array<std::uint8_t, 4>;
-/// What stands for the color of a line on a dark ground where the ground is near white: darker, and of the same hue.
+/// Returns the color of a line on a near white background that replaces one for a dark background: darker, with the
+/// same hue.
 Rgba LineOnLight(const Rgba& color);
-/// Clamped to what can be shown.
+/// Returns the color clamped to the displayable range.
 Rgba Shown(const R2::Color& color, double alpha = 1);
 
-/// The color of one of `count` things that together would hide what is behind them: as it is up to `most`, and then
-/// the fainter, the more there are, down to 1/50.
+/// Returns the color of one of `count` objects that together would hide everything behind them: unchanged up to `most`
+/// objects, and fainter for more, down to 1/50.
 Rgba Faded(Rgba color, std::size_t count, std::size_t most);
 
 struct Vertex {
@@ -55,32 +56,33 @@ struct Vertex {
   Rgba color{};
 };
 
-/// Two vertices per line.
+/// Lines, with two vertices each.
 using Lines = std::vector<Vertex>;
 void AddLine(Lines& lines, const std::array<float, 3>& from, const std::array<float, 3>& to, const Rgba& color);
 void Append(Lines& lines, const Lines& more);
 
-/// How large letters are, in pixels; all have one width.
+/// The size of letters in pixels; all have the same width.
 struct LetterSize {
-  double width = 8, height = 16;  // the latter of a line
+  double width = 8, height = 16;  // height of a line
 };
 
-/// A line of text, its lower left corner in pixels from that of the drawing.
+/// A line of text; its lower left corner is in pixels from that of the drawing.
 struct Label {
   double x = 0, y = 0;
   std::string text;                // UTF-8
-  Rgba color{255, 255, 255, 255};  // light, as on the black behind it
-  /// Opacity of the black behind it: letters as light as (208, 208, 208) keep 4.5 : 1, also where that covers white.
+  Rgba color{255, 255, 255, 255};  // light, for the black background
+  /// Opacity of the black background: letters at least as light as (208, 208, 208) have a contrast of 4.5 : 1 even over
+  /// white.
   static constexpr int ground_alpha = 170;
-  /// Opacity of the near white behind it in a light theme: letters of OnLight keep 4.5 : 1, also where that covers
+  /// Opacity of the near white background in a light theme: letters of OnLight have a contrast of 4.5 : 1 even over
   /// black.
   static constexpr int light_ground_alpha = 220;
   static constexpr std::uint8_t light_ground = 245;
-  /// What stands for a light color there: dark, and of the same hue.
+  /// Returns the color on a light background that replaces a light color: dark, with the same hue.
   static Rgba OnLight(const Rgba& color);
 };
 
-// Numbers in single precision, as a GPU takes them: what is beyond its range becomes the largest there is.
+// Numbers in single precision for the GPU. Values beyond its range become the largest finite float.
 
 inline float AsFloat(double x) {
   constexpr double most = std::numeric_limits<float>::max();

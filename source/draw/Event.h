@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// A physical key, not the character it types. Letters, digits and signs are their (upper-case) ASCII codes.
+/// A physical key, not the character it types. Letters, digits and signs have their (upper-case) ASCII codes.
 // clang-format off
 enum class Key : int {
   none = 0,
@@ -34,7 +34,7 @@ struct KeyEvent {
   Modifiers modifiers;
   bool is_pressed = true;
 };
-struct TextEvent {   // what keys have typed, for whoever takes text; without blanks, which are keys of their own
+struct TextEvent {   // typed text, for text fields; without blanks, which have keys
   std::string text;  // UTF-8
 };
 struct ButtonEvent {
@@ -43,7 +43,7 @@ struct ButtonEvent {
   double x = 0, y = 0;
   Modifiers modifiers;
 };
-struct MoveEvent {  // of the pointer
+struct MoveEvent {  // by the pointer
   double x = 0, y = 0;
 };
 struct ScrollEvent {
@@ -57,20 +57,20 @@ struct ResizeEvent {
 struct DropEvent {
   std::string file;
 };
-struct TickEvent {  // time has passed
+struct TickEvent {  // the passing of time
   double seconds = 0;
 };
 struct CloseEvent {};
 
-/// Anything that happens to the viewer.
+/// Any input to the viewer.
 using Event = std::variant<KeyEvent, TextEvent, ButtonEvent, MoveEvent, ScrollEvent, ResizeEvent, DropEvent, TickEvent,
                            CloseEvent>;
 
-/// "S", "F1", "Escape", "Pad1", "["; as scripts and the help write it.
+/// Returns the name of a key in scripts and help: "S", "F1", "Escape", "Pad1", "[".
 std::string NameOf(Key key);
-/// Nothing when no key has the name; letter case does not matter.
+/// Returns the key with a name, ignoring case; std::nullopt if there is none.
 std::optional<Key> KeyNamed(const std::string& name);
-/// "Control+Shift+S"
+/// Returns a name such as "Control+Shift+S".
 std::string NameOf(Key key, const Modifiers& modifiers);
 
 }  // namespace ray

@@ -9,7 +9,7 @@ PixelBox FlatView::Place(const PixelBox& fitting) const {
 }
 
 void FlatView::Zoom(double factor, const R2::Point& fixed, const PixelBox& fitting, double largest) {
-  constexpr double least = 0.1;  // times as it fits: less is hard to find again
+  constexpr double least = 0.1;  // of the fitting size: a smaller one is hard to find again
   const double most = std::max(1.0, largest / std::max(fitting.width, fitting.height));
   const double zoom = std::clamp(zoom_ * factor, least, most);
   const PixelBox now = Place(fitting);

@@ -7,35 +7,36 @@
 
 namespace ray {
 
-/// How finely a preview is drawn: in full where the view rests; while it moves, one pixel for several where a drawing
-/// takes longer than a screen shows it. Edges of a view at rest are smoothed where that keeps nobody waiting. Times are
-/// seconds of any clock.
+/// Chooses the detail of a preview: full detail when the view is at rest; while it moves, one pixel for several if a
+/// drawing takes longer than a screen shows it. Edges of a view at rest are smoothed unless that delays the next event.
+/// Times are seconds of any clock.
 class MotionDetail {
  public:
-  /// The detail for the drawing of this view, begun `now`. Pixels are never so few that a small window is not told
-  /// apart.
+  /// Returns the detail for the drawing of this view, begun at `now`. Even small windows keep enough pixels to
+  /// recognize the scene.
   DrawingDetail For(const FrameState& shown, double now);
-  /// How long the drawing took for which For was asked last.
+  /// Sets the time of the drawing for which For was called last.
   void Took(double seconds);
-  /// When the last drawing is to be drawn again more finely, unless the view moves before; nothing where it was as fine
-  /// as it will be.
+  /// Returns the time at which the last drawing is to be refined, unless the view moves before; std::nullopt if it has
+  /// its final detail.
   std::optional<double> RefinementTime() const;
 
  private:
   bool IsAtRest() const { return !is_moving_; }
-  /// Whether to smooth a view at rest that is drawn next.
+  /// Returns true if the next view at rest should be smoothed.
   bool IsWorthSmoothing() const;
 
-  std::optional<ClipMatrix> view_;             // drawn last
-  std::shared_ptr<const PreviewScene> faces_;  // drawn last; times are theirs
+  std::optional<ClipMatrix> view_;             // of the last drawing
+  std::shared_ptr<const PreviewScene> faces_;  // of the last drawing, to which the times apply
   DrawingDetail detail_;                       // of the last drawing
-  bool is_moving_ = false;                     // likewise
-  bool draws_faces_ = false;                   // likewise; else its time says nothing
+  bool is_moving_ = false;                     // during the last drawing
+  bool draws_faces_ = false;                   // in the last drawing; otherwise its time is meaningless
   double moved_at_ = 0;
-  // Nothing where it is not known.
-  std::optional<double> smooth_seconds_;  // that the last smoothed drawing took
-  std::optional<double> rough_seconds_;   // that the last drawing took that was in full but for that
-  double motion_seconds_ = 0;             // that one in all pixels would take while the view moves, or a bound of it
+  // Times; std::nullopt if unknown.
+  std::optional<double> smooth_seconds_;  // of the last smoothed drawing
+  std::optional<double> rough_seconds_;   // of the last drawing in full detail without smoothing
+  // of a drawing with all pixels while the view moves, or an upper limit of it
+  double motion_seconds_ = 0;
 };
 
 }  // namespace ray

@@ -9,8 +9,8 @@
 
 namespace ray {
 
-/// How much of each pixel ink covers, 0 to 255, rows from the top: the letters of panels, and a place all of ink for
-/// what is filled.
+/// The coverage of each pixel by ink, 0 to 255, in rows from the top: the letters of panels, and a fully covered area
+/// for filled shapes.
 struct InkSheet {
   int width = 0, height = 0;
   std::vector<std::uint8_t> ink;
@@ -23,7 +23,7 @@ struct PanelDrawing {
     float u = 0, v = 0;  // on the sheet, from 0 at its upper left corner to 1
     Rgba color{};
   };
-  /// Some of the triangles, and the rectangle outside of which they are not drawn.
+  /// Some of the triangles, and the rectangle to which they are clipped.
   struct Part {
     int left = 0, top = 0, right = 0, bottom = 0;
     std::size_t first = 0, count = 0;  // of `indices`

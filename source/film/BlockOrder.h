@@ -4,9 +4,9 @@
 
 namespace ray {
 
-/// An order of the pixels of a block of 8x8, of which every beginning is spread evenly over the block, and over a
-/// picture of such blocks: powers of 4 of them are squares of a lattice, powers of 2 between have their centers too
-/// (quincunx).
+/// An order of the pixels of an 8x8 block in which every prefix is spread evenly over the block, and over an image of
+/// such blocks. Prefixes of 4^n pixels are square lattices; those of 2 * 4^n pixels also contain the centers of the
+/// squares (quincunx).
 ///   source   Bayer, An optimum method for two-level rendition of continuous-tone pictures (1973)
 class BlockOrder {
  public:
@@ -15,7 +15,7 @@ class BlockOrder {
     int column, row;
   };
 
-  /// The place of an image's pixel within its block: 0 to places - 1.
+  /// Returns the place of an image's pixel within its block, 0 to places - 1.
   static int PlaceOf(int column, int row) {
     int place = 0;
     for (int bit = 0, half = side / 2; half > 0; ++bit, half /= 2) {
@@ -25,7 +25,8 @@ class BlockOrder {
     return place;
   }
 
-  /// Where that place is in the block of which `pixels` are a part, not empty; it need not be among them.
+  /// Returns the pixel at that place of the block that contains `pixels`, which must not be empty. It need not be one
+  /// of `pixels`.
   static Pixel PixelAt(int place, const PixelRectangle& pixels) {
     int column = pixels.x0 / side * side, row = pixels.y0 / side * side;
     for (int bit = 0, half = side / 2; half > 0; ++bit, half /= 2) {

@@ -19,8 +19,9 @@ class Filler {
   Filler(R2::Image& image, int x0, int y0, std::vector<char>& is_known)
       : image_(image), x0_(x0), y0_(y0), is_known_(is_known) {}
 
-  /// From the lattice of the blocks' corners to all pixels: the centers of its squares from their corners, then the
-  /// middles of their sides from both ends and both centers, which makes a lattice half as wide.
+  /// Fills all pixels from the lattice of the blocks' corners. Each step fills the centers of the lattice's squares
+  /// from their corners, then the middles of their sides from both ends and both centers, which halves the spacing of
+  /// the lattice.
   ///   source   the midpoints of Fournier, Fussell and Carpenter, Computer rendering of stochastic models (1982),
   ///            without the randomness
   void Refine() {
@@ -34,14 +35,14 @@ class Filler {
     }
   }
 
-  /// Where no neighbor on the lattice was known: along rows from the nearest that is, and rows without any from those
-  /// below or above.
+  /// Fills pixels that have no known neighbor on the lattice: along rows from the nearest known pixel, then rows
+  /// without known pixels from those below or above.
   void Spread() {
     tbb::parallel_for(0, image_.Height(), [&](int y) {
       for (int x = 1; x < image_.Width(); ++x) Copy(x - 1, y, x, y);
       for (int x = image_.Width() - 2; x >= 0; --x) Copy(x + 1, y, x, y);
     });
-    // By now a row is known as a whole or not at all.
+    // By now each row is known completely or not at all.
     for (int y = 1; y < image_.Height(); ++y) CopyRow(y - 1, y);
     for (int y = image_.Height() - 2; y >= 0; --y) CopyRow(y + 1, y);
   }
@@ -56,15 +57,15 @@ class Filler {
     return x >= 0 && y >= 0 && x < image_.Width() && y < image_.Height() && IsKnown(x, y);
   }
 
-  /// The rows of the picture that are multiples of `step`, those of the image alone. No pixel that is filled in one
-  /// call is looked at for another.
+  /// Calls function(y) for the rows of this image whose row in the whole image is a multiple of `step`. No pixel filled
+  /// in one call is read in another.
   template <class Function>
   void ForRows(int step, const Function& function) {
     const int first = (y0_ + step - 1) / step, last = (y0_ + image_.Height() - 1) / step;
     tbb::parallel_for(first, last + 1, [&](int row) { function(row * step); });
   }
 
-  /// Every pixel of the row whose column is a multiple of `step` and `offset` more.
+  /// Fills the pixels of a row whose column is `offset` plus a multiple of `step`.
   void AverageRow(int y, int offset, int step, const std::array<Offset, 4>& neighbors) {
     const int first = (x0_ - offset + step - 1) / step * step + offset;
     for (int x = first < x0_ ? first + step : first; x < x0_ + image_.Width(); x += step) Average(x, y, neighbors);
@@ -92,9 +93,9 @@ class Filler {
     IsKnown(column, row) = 1;
   }
 
-  /// Pairs of opposite neighbors, which follow each other, weigh by how alike the two of each are: of an edge, one pair
-  /// lies along it. Beside pixels that were traced the squares of that decide, and the pairs on either side have half a
-  /// say; farther off, edges are not sure enough.
+  /// Returns the weight of the first pair of opposite neighbors. A pair weighs more if its two pixels are similar,
+  /// since at an edge one pair lies along it. Next to traced pixels, the squares of the differences decide, and the
+  /// pairs on either side count half; farther away, edges are too uncertain for that.
   ///   accuracy   tests/source/render/EdgesKept.cpp
   double ShareOfFirstPair(int column, int row, const std::array<Offset, 4>& neighbors) {
     const auto [one, other, third, fourth] = neighbors;
@@ -109,7 +110,7 @@ class Filler {
     return a + b > 0 ? b / (a + b) : 0.5;
   }
 
-  /// The squared difference of two neighbors of a place; 0 where one is not known.
+  /// Returns the squared difference of two neighbors of a place; 0 if one is unknown.
   double Unlikeness(int column, int row, const Offset& one, const Offset& other) {
     const int x0 = column + one.x, y0 = row + one.y, x1 = column + other.x, y1 = row + other.y;
     if (!IsKnownAt(x0, y0) || !IsKnownAt(x1, y1)) return 0;

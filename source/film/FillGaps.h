@@ -6,11 +6,11 @@
 
 namespace ray {
 
-/// Fills pixels of which nothing is known from those that are: where every block of 8x8 knows as many first places of
-/// BlockOrder, linearly, and along edges rather than across them; else from whatever is near. Where nothing is known at
-/// all the image stays as it is.
-///   x0, y0     of the image's lower left pixel in the picture, whose blocks begin at multiples of 8
-///   is_known   of each pixel, in rows
+/// Fills the unknown pixels of an image from the known ones. If every block of 8x8 knows the same number of first
+/// places of BlockOrder, fills linearly, and along edges rather than across them; otherwise from the nearest known
+/// pixels. Without any known pixel, the image is unchanged.
+///   x0, y0     the image's lower left pixel in the whole image, whose blocks begin at multiples of 8
+///   is_known   one entry per pixel, in rows
 void FillGaps(R2::Image& image, int x0, int y0, std::vector<char> is_known);
 
 }  // namespace ray

@@ -11,8 +11,8 @@
 namespace ray {
 namespace {
 
-/// The float next to x whose byte is that of x, where bytes are truncated: rounding to float must not lift a value over
-/// a whole number.
+/// Returns the float next to x that is truncated to the same byte as x: rounding to float must not lift a value to the
+/// next byte.
 double TruncatedAlike(double x) {
   const auto byte = R2::ToByte(x, R2::Quantization::truncated);
   const auto is_alike = [&](float f) { return R2::ToByte(f, R2::Quantization::truncated) == byte; };
@@ -22,7 +22,7 @@ double TruncatedAlike(double x) {
 }
 
 R2::Color Normalized(const WeightedSum& sum, R2::Quantization quantization) {
-  // Weights of a filter with negative lobes may cancel where samples are few; such a pixel has nothing to show.
+  // The weights of a filter with negative lobes may cancel if samples are few. Such a pixel is black.
   if (sum.weight == 0) return {};
   const R2::Color mean = sum.color / sum.weight;
   if (quantization == R2::Quantization::rounded) return mean;
@@ -53,11 +53,11 @@ BlockSums& BlockSums::operator+=(const BlockSums& o) {
   return *this;
 }
 
-Film::Film(int picture_width, int picture_height, const PixelRectangle& region, FilterKind filter, int surroundings)
+Film::Film(int image_width, int image_height, const PixelRectangle& region, FilterKind filter, int surroundings)
     : filter_(filter),
       region_(region),
-      made_(Common({0, 0, picture_width, picture_height}, Grown(region, surroundings))),
-      sampled_(Common({0, 0, picture_width, picture_height}, Grown(made_, filter_.Apron()))),
+      made_(Common({0, 0, image_width, image_height}, Grown(region, surroundings))),
+      sampled_(Common({0, 0, image_width, image_height}, Grown(made_, filter_.Apron()))),
       first_column_(sampled_.x0 / block_side),
       first_row_(sampled_.y0 / block_side),
       columns_((sampled_.x1 + block_side - 1) / block_side - first_column_),
@@ -108,7 +108,7 @@ bool Film::HasGaps() const {
   return false;
 }
 
-/// In blocks that lack samples, what the pixels that were looked at show, and the others by those around.
+/// Fills the pixels without samples, in blocks that lack them, from the first samples of the others.
 void Film::FillUnsampled(R2::Image& image) const {
   std::vector<char> is_known(static_cast<std::size_t>(region_.Area()), 1);
   tbb::parallel_for(0, Blocks(), [&](int i) {
@@ -127,7 +127,7 @@ void Film::FillUnsampled(R2::Image& image) const {
   FillGaps(image, region_.x0, region_.y0, std::move(is_known));
 }
 
-R2::Image Film::Picture(R2::Quantization quantization) const {
+R2::Image Film::Image(R2::Quantization quantization) const {
   R2::Image image = Composed(quantization, [](const Block& block, int x, int y) {
     WeightedSum sum;
     for (int part = 0; part < parts; ++part)
@@ -156,9 +156,9 @@ R2::Image Film::Composed(R2::Quantization quantization, const Blend& blend) cons
     for (int x = region_.x0; x < region_.x1; ++x) {
       const int column = x / block_side - first_column_, row = y / block_side - first_row_;
       WeightedSum sum;
-      if (reach == 0) {  // one block alone, without looking around
+      if (reach == 0) {  // a single block, independent of its neighbors
         const Block& own = (*this)[row * columns_ + column];
-        if (own.Samples() == 0) continue;  // black, as images begin
+        if (own.Samples() == 0) continue;  // black, the initial value of images
         sum = blend(own, x, y);
         image.Store(x - region_.x0, y - region_.y0, Normalized(sum, quantization));
         continue;

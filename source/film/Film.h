@@ -12,7 +12,7 @@
 
 namespace ray {
 
-/// Weighted samples added up.
+/// A sum of weighted samples.
 struct WeightedSum {
   R2::Color color;
   double weight = 0;
@@ -29,15 +29,15 @@ struct WeightedSum {
   friend bool operator==(const WeightedSum&, const WeightedSum&) = default;
 };
 
-/// What a number of samples from the pixels of one block add to these pixels and, through a filter wider than a pixel,
-/// to those around.
+/// The contribution of samples taken in one block to its own pixels and, if the filter is wider than a pixel, to those
+/// around it.
 class BlockSums {
  public:
   BlockSums() = default;
-  /// `reach`: the pixels that samples may count for.
+  /// `reach`: the pixels to which samples may contribute.
   explicit BlockSums(const PixelRectangle& reach);
 
-  /// Splats a sample at x, y, in pixels from the lower left corner of the picture, taken in pixel (column, row).
+  /// Splats a sample at x, y, in pixels from the lower left corner of the image, taken in pixel (column, row).
   void Add(int column, int row, double x, double y, const R2::Color& sample, const Filter& filter) {
     if (filter.IsBox())
       sums_[Index(column, row)].Add(1, sample);
@@ -50,7 +50,7 @@ class BlockSums {
   BlockSums& operator+=(const BlockSums& o);
   bool IsEmpty() const { return sums_.empty(); }
 
-  /// For checkpoints.
+  /// The sums, for checkpoints.
   const std::vector<WeightedSum>& Sums() const { return sums_; }
   std::vector<WeightedSum>& Sums() { return sums_; }
 
@@ -65,65 +65,67 @@ class BlockSums {
   std::vector<WeightedSum> sums_;
 };
 
-/// Collects samples of a picture in two parts, whose difference shows the error of their mean, and makes pixels of
-/// them. Work is shared out by blocks of 8x8 pixels, one thread at a time each: within a block samples are added in a
-/// fixed order, and a pixel adds up the blocks that reach it in a fixed order. So neither threads nor the size of tiles
-/// can change a bit.
+/// Collects the samples of an image in two parts, whose difference shows the error of their mean, and computes pixels
+/// from them. Work is divided into blocks of 8x8 pixels, each of which belongs to one thread at a time. Within a block
+/// samples are added in a fixed order, and a pixel adds up the blocks that reach it in a fixed order, so neither
+/// threads nor the tile size can change a bit.
 class Film {
  public:
   static constexpr int block_side = BlockOrder::side, parts = 2;
 
-  /// `region`: the part of the picture that is wanted. Samples from pixels around it that count for it are taken too,
-  /// so that it equals the same part of the whole. `surroundings`: how many pixels around it are made as well, for
-  /// denoisers and other neighbors to look at.
-  Film(int picture_width, int picture_height, const PixelRectangle& region, FilterKind filter, int surroundings = 0);
+  /// `region`: the requested part of the image. Samples are also taken in pixels around it that contribute to it, so
+  /// that it equals the same part of the whole image.
+  /// `surroundings`: the number of pixels around the region that are computed as well, for denoisers and comparisons of
+  /// neighbors.
+  Film(int image_width, int image_height, const PixelRectangle& region, FilterKind filter, int surroundings = 0);
 
   int Columns() const { return columns_; }
   int Blocks() const { return columns_ * rows_; }
-  /// The pixels that a block takes samples of.
+  /// Returns the pixels in which a block takes samples.
   PixelRectangle PixelsOf(int block) const;
-  /// The block's pixels that are in the region.
+  /// Returns the block's pixels that are in the region.
   PixelRectangle PixelsInRegion(int block) const { return Common(PixelsOf(block), region_); }
-  /// The number of pixels in the region, of each block.
+  /// Returns, for each block, its number of pixels in the region.
   std::vector<double> AreasInRegion() const;
   const Filter& filter() const { return filter_; }
   const PixelRectangle& Region() const { return region_; }
-  /// The region and its surroundings, as far as there is a picture.
+  /// The region and its surroundings, clipped to the image.
   const PixelRectangle& Made() const { return made_; }
-  /// The pixels that samples are taken of: those made, and those around them that a wide filter reaches them from.
+  /// The pixels in which samples are taken: Made() and those around it from which a wide filter reaches it.
   const PixelRectangle& Sampled() const { return sampled_; }
 
-  /// What one block has collected.
+  /// The samples of one block.
   struct Block {
     BlockSums sums[parts];
     std::uint32_t samples[parts] = {0, 0};  // per pixel
-    // Sample 0 of the first stream at the first places of BlockOrder, until whole samples are added; black where the
-    // picture has no pixel.
+    // The first samples (sample 0 of the first stream) at the first places of BlockOrder, until whole samples are
+    // added. Black at places outside of the image.
     std::vector<R2::Color> first_samples;
 
     std::uint32_t Samples() const { return samples[0] + samples[1]; }
-    /// Where the parts are two streams each has as many, else one stream is in both.
+    /// Returns the samples of each stream: if the parts are two streams, both have equally many; otherwise one stream
+    /// fills both parts.
     std::uint32_t SamplesPerStream(bool has_two_streams) const { return has_two_streams ? samples[0] : Samples(); }
   };
   const Block& operator[](int block) const { return blocks_[static_cast<std::size_t>(block)]; }
   Block& operator[](int block) { return blocks_[static_cast<std::size_t>(block)]; }
   BlockSums EmptySums(int block) const;
 
-  /// The picture so far. With several sample counts, a block's samples count by their mean. Pixels without samples are
-  /// filled from those around, see FillGaps; where the whole picture has none, they are black.
-  ///   quantization   how the picture will be made bytes; its floats are chosen so that theirs are those of the exact
-  ///   sums
-  R2::Image Picture(R2::Quantization quantization = R2::Quantization::rounded) const;
-  /// The image from one part alone; black where it has no samples.
+  /// Returns the image so far. If blocks have different sample counts, each block counts by the mean of its samples.
+  /// Pixels without samples are filled from those around, see FillGaps; without any samples, the image is black.
+  ///   quantization   how the image will be converted to bytes; its floats are chosen to give the bytes of the exact
+  ///                  sums
+  R2::Image Image(R2::Quantization quantization = R2::Quantization::rounded) const;
+  /// Returns the image of one part alone; black where it has no samples.
   R2::Image Part(int part) const;
-  /// The film of a part of the region, with what its blocks have collected.
+  /// Returns the film of a part of the region, with the samples of its blocks.
   Film Cut(const PixelRectangle& part) const;
   bool HasSurroundings() const { return !(made_ == region_); }
-  /// A copy whose region is all that is made.
+  /// Returns a copy whose region is Made().
   Film WithSurroundings() const;
-  /// Whether every block of the region has samples of both parts.
+  /// Returns true if every block of the region has samples in both parts.
   bool HasBothParts() const;
-  /// The block of a pixel of the region.
+  /// Returns the block that contains a pixel of the region.
   int BlockOf(int x, int y) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace ray {
 namespace {
 
-// Linear interpolation errs by at most f'' / 8 / steps^2, and no f'' here exceeds 6.
+// The error of linear interpolation is at most f'' / 8 / steps^2, and no f'' here exceeds 6.
 constexpr int steps_per_pixel = 1024;
 
 double RadiusOf(FilterKind kind) {

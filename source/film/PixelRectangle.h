@@ -16,13 +16,13 @@ struct PixelRectangle {
   friend bool operator==(const PixelRectangle&, const PixelRectangle&) = default;
 };
 
-/// What both hold; of no area when they do not meet.
+/// Returns the intersection of two rectangles; its area is 0 if they are disjoint.
 inline PixelRectangle Common(const PixelRectangle& a, const PixelRectangle& b) {
   const int x0 = std::max(a.x0, b.x0), y0 = std::max(a.y0, b.y0);
   return {x0, y0, std::max(x0, std::min(a.x1, b.x1)), std::max(y0, std::min(a.y1, b.y1))};
 }
 
-/// The rectangle and `by` pixels on each side of it.
+/// Returns the rectangle, extended by `by` pixels on each side.
 inline PixelRectangle Grown(const PixelRectangle& r, int by) { return {r.x0 - by, r.y0 - by, r.x1 + by, r.y1 + by}; }
 
 }  // namespace ray

@@ -7,13 +7,14 @@
 namespace ray {
 namespace {
 
-/// What counts for one pixel of a line of another length: pixels from `first` on, with weights that sum to 1.
+/// The pixels that contribute to one pixel of a line of another length: those from `first` on, with weights that sum to
+/// 1.
 struct Contributors {
   int first = 0;
   std::vector<double> weights;
 };
 
-/// By how much of pixel i lies between two places.
+/// Returns the length of the part of pixel i between two places.
 double Overlap(int i, double low, double high) {
   return std::max(0.0, std::min(high, i + 1.0) - std::max(low, static_cast<double>(i)));
 }
@@ -42,7 +43,7 @@ std::vector<Contributors> AllContributors(int old_length, int new_length, Filter
   return all;
 }
 
-/// The weighted sum; what weighs nothing is not looked at, since it may not be finite.
+/// Returns the weighted sum. Skips elements of weight 0, since they may not be finite.
 template <class At>
 R2::Color Sum(const Contributors& contributors, const At& at) {
   R2::Color sum;

@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// Things that stay where they are in memory until they are taken back, the last first.
+/// Objects with stable addresses that are released in reverse order.
 template <typename Thing>
 class Arena {
  public:
@@ -17,7 +17,7 @@ class Arena {
     return place = thing;
   }
   std::size_t Count() const { return count_; }
-  /// Takes back all but the first `count`.
+  /// Releases all objects except the first `count`.
   void Shrink(std::size_t count) { count_ = count; }
 
  private:

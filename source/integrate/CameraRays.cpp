@@ -6,38 +6,38 @@
 #include "R1/Elementary.h"
 #include "R3/Numeric.h"
 #include "R3/Warp.h"
-#include "source/sample/PointsOfEach.h"
+#include "source/sample/PointBatch.h"
 #include "source/sample/PoissonDisk.h"
 
 namespace ray {
 namespace {
 
-// The child of a pixel's key that its tree of rays grows from.
+// The child of a pixel's key for the tree of its rays.
 constexpr std::uint64_t tree_key = 1;
-// And the child that places of the Poisson pattern come from.
+// The child of a pixel's key for the places of the Poisson pattern.
 constexpr std::uint64_t poisson_key = 2;
 
-/// Spirals and even moments belong to places that are known ahead.
+/// Returns the effects without spirals and even moments, which require places that are known in advance.
 CameraEffects WithRandomChoices(CameraEffects effects) {
   effects.lens = LensPattern::random;
   effects.shutter_samples = 1;
   return effects;
 }
 
-/// The middle of one of side x side equal parts of a pixel, counted from its lower left corner in rows.
+/// Returns the middle of one of side x side equal parts of a pixel, counted from its lower left corner in rows.
 R2::Point OnGrid(std::uint32_t index, std::uint32_t side) {
   return {(index % side + 0.5) / side, (index / side % side + 0.5) / side};
 }
 
-/// OnGrid, each place moved on by a part of the rows or columns beside it: a square grid again, turned by
-/// atan(1 / side), and every place in a row and a column of its own.
+/// Returns OnGrid with each place shifted by a fraction of its row or column: again a square grid, rotated by atan(1 /
+/// side), with one place per row and per column.
 ///   source   Akenine-Moeller, Haines and others, Real-time rendering (2018), section 5.4.2, where side is 2
 R2::Point OnRotatedGrid(std::uint32_t index, std::uint32_t side) {
   const std::uint32_t column = index % side, row = index / side % side;
   return {(column + (row + 0.5) / side) / side, (row + (side - 1 - column + 0.5) / side) / side};
 }
 
-/// Number `index` of `count` points that fill the unit disc evenly.
+/// Returns point number `index` of `count` points that fill the unit disc evenly.
 ///   source   Vogel, A better way to construct the sunflower head (1979): radius sqrt(n), angle n times the golden one
 R2::Point OnSpiral(double index, double turn, int count) {
   constexpr double golden_turn = 2 - std::numbers::phi;
@@ -46,7 +46,7 @@ R2::Point OnSpiral(double index, double turn, int count) {
   return {radius * cosine, radius * sine};
 }
 
-/// Places in the pixel that keep a distance from those of the pixel's other samples.
+/// Computes places in the pixel that keep a distance from those of the pixel's other samples.
 void PutApart(std::span<const PixelSample> of, double* x, double* y) {
   for (std::size_t i = 0; i < of.size(); ++i) {
     const R2::Point p = PoissonDiskPlace(of[i].index, of[i].pixel.Child(poisson_key));
@@ -54,7 +54,7 @@ void PutApart(std::span<const PixelSample> of, double* x, double* y) {
   }
 }
 
-/// Moves places of the unit square to the unit disc.
+/// Maps places of the unit square to the unit disc.
 R3_VECTORIZED
 void PutOnDisks(std::size_t count, double* x, double* y) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -91,7 +91,7 @@ std::string CameraRays::Kernel() const {
   return moving + (camera_.IsPinhole() ? "lens" : kind + " lens");
 }
 
-/// In [0, 1]^2. One sample alone goes through the middle.
+/// Returns a place in [0, 1]^2. A single sample goes through the middle.
 R2::Point CameraRays::InPixel(std::uint32_t index, const R2::Point& random) const {
   const std::uint32_t number = index / effects_.SamplesOfOnePlace();
   if (sampler_ == SamplerKind::grid) return OnGrid(number, grid_side_);
@@ -99,8 +99,8 @@ R2::Point CameraRays::InPixel(std::uint32_t index, const R2::Point& random) cons
   return samples_ == 1 ? R2::Point{0.5, 0.5} : random;
 }
 
-/// In the unit disc, where a random place is already. The spirals of places that follow each other in a row are turned
-/// and grown against each other, so that their points together are even too.
+/// Returns a place in the unit disc; `random` is one already. The spirals of successive places in a row are rotated and
+/// scaled relative to each other, so that their points are evenly distributed together.
 R2::Point CameraRays::OnLens(const PixelSample& of, const R2::Point& random) const {
   if (effects_.lens == LensPattern::random) return random;
   const std::uint32_t n = of.index % effects_.SamplesOfOnePlace() % static_cast<std::uint32_t>(effects_.lens_samples);
@@ -111,7 +111,8 @@ R2::Point CameraRays::OnLens(const PixelSample& of, const R2::Point& random) con
   return OnSpiral(n + (grown - std::floor(grown)), n + place, effects_.lens_samples);
 }
 
-/// In [0, 1): random, or the middle of one of the shutter's equal parts; each goes with all places on the lens.
+/// Returns a time in [0, 1): random, or the middle of one of the shutter's equal parts. Each part is combined with all
+/// places on the lens.
 double CameraRays::Moment(std::uint32_t index, double random) const {
   if (effects_.shutter_samples <= 1) return random;
   const auto moments = static_cast<std::uint32_t>(effects_.shutter_samples);
@@ -119,8 +120,8 @@ double CameraRays::Moment(std::uint32_t index, double random) const {
   return (index % each / lens + 0.5) / moments;
 }
 
-/// A ray through the lens's middle to one through this place of it. The direction's part along the axis is 1, so the
-/// plane that is sharp is `focus` directions away; other projections say what it is by theirs.
+/// Moves the origin of a ray from the lens's center to a place on the lens. The direction's component along the axis is
+/// 1, so the plane in focus is `focus` directions away; in other projections their directions define it.
 void CameraRays::MoveOnLens(const R2::Point& on_lens, const R3::Vector& across, const R3::Vector& upward,
                             R3::Ray& ray) const {
   const R3::Vector aside = effects_.aperture * (on_lens.x * across + on_lens.y * upward);
@@ -128,7 +129,7 @@ void CameraRays::MoveOnLens(const R2::Point& on_lens, const R3::Vector& across, 
   ray.direction = ray.direction - aside / effects_.focus;
 }
 
-/// The ray of a camera that is no pinhole. `on_lens`: in the unit disc; the middle where there is no lens.
+/// Returns the ray of a camera that is not a pinhole. `on_lens`: in the unit disc; its center without a lens.
 R3::Ray CameraRays::Projected(const CameraSample& at, const R2::Point& on_lens) const {
   const auto sight = camera_.Sight(at.x, at.y, width_, height_);
   if (!sight) return {camera_.eye, camera_.towards, 0, 0};
@@ -143,11 +144,11 @@ void CameraRays::Make(std::span<const PixelSample> of, std::span<CameraSample> s
   std::array<SampleIndex, R1::batch_size> indices;
   for (std::size_t i = 0; i < of.size(); ++i)
     indices[i] = {of[i].pixel.Child(tree_key), of[i].index, dimensions > 2 ? static_cast<int>(dimensions) : 0};
-  PointsOfEach<dimensions> random;
-  if (dimensions == 2 && samples_ == 1)  // no choices
+  PointBatch<dimensions> random;
+  if (dimensions == 2 && samples_ == 1)  // no random choices
     for (auto& coordinate : random.coordinates) coordinate.fill(0.5);
   else
-    GetOfEachAlone(std::span<const SampleIndex>(indices).first(of.size()), camera_key, sampler_, samples_, random);
+    GetSeparateBatch(std::span<const SampleIndex>(indices).first(of.size()), camera_key, sampler_, samples_, random);
   if (sampler_ == SamplerKind::poisson && samples_ > 1)
     PutApart(of, random.coordinates[0].data(), random.coordinates[1].data());
   if constexpr (has_lens) PutOnDisks(of.size(), random.coordinates[2].data(), random.coordinates[3].data());

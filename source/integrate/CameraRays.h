@@ -13,26 +13,29 @@
 
 namespace ray {
 
-/// Where on the lens camera rays start. random: as the sampler has it, and always so but for the grid samplers. spiral:
-/// at `lens_samples` places for each place in the pixel, on a spiral of Vogel that is turned and moved on from one
-/// place to the next. fixed_spiral: the same spiral everywhere, whose rings can be seen.
+/// The places on the lens where camera rays start.
+///   random         from the sampler; always used except with the grid samplers
+///   spiral         `lens_samples` places for each place in the pixel, on a spiral of Vogel that is rotated and
+///                  continued
+///                  from one place to the next
+///   fixed_spiral   the same spiral everywhere, whose rings are visible
 enum class LensPattern { random, spiral, fixed_spiral };
 inline constexpr std::array lens_pattern_names{"random", "spiral", "fixed_spiral"};
 constexpr const auto& NamesOf(LensPattern) { return lens_pattern_names; }
 
-/// What makes a camera more than a pinhole that stands still.
+/// The effects of a camera beyond a static pinhole.
 struct CameraEffects {
   R3::Vector motion;    // of the camera while the shutter is open
   double aperture = 0;  // radius of the lens, >= 0
-  double focus = 0;     // distance along the axis of the plane that is sharp, > 0 where there is a lens
+  double focus = 0;     // distance along the axis of the plane in focus, > 0 with a lens
   LensPattern lens = LensPattern::random;
   int lens_samples = 1;  // of a spiral, >= 1
-  // Even moments for each place in the pixel of a grid sampler, >= 1; 1: as the sampler has it.
+  // Even moments for each place in the pixel of a grid sampler, >= 1; 1: from the sampler.
   int shutter_samples = 1;
 
   bool HasMotion() const { return !(motion == R3::Vector{}); }
   bool HasLens() const { return aperture > 0; }
-  /// How many of a pixel's camera rays go through the same place in it.
+  /// Returns the number of a pixel's camera rays through the same place in it.
   std::uint32_t SamplesOfOnePlace() const {
     const int on_lens = HasLens() && lens != LensPattern::random ? lens_samples : 1;
     constexpr std::int64_t most = std::numeric_limits<int>::max();
@@ -40,24 +43,25 @@ struct CameraEffects {
   }
 };
 
-/// The side of the greatest n x n of at most `samples`; at least 1.
+/// Returns the largest n, at least 1, such that n x n is at most `samples`.
 inline std::uint32_t GridSide(std::uint32_t samples) {
   return std::max(1u, static_cast<std::uint32_t>(std::sqrt(static_cast<double>(samples))));
 }
 
-/// A sample of a pixel, which is what a camera ray is made from.
+/// The sample of a pixel that determines a camera ray.
 struct PixelSample {
   int column = 0, row = 0;
   RandomKey pixel{0};       // the key of the pixel's random choices
   std::uint32_t index = 0;  // the sample's number in the pixel
 };
 
-/// The random choices of a camera ray, all from one set of points so that they are even together: the place in the
-/// pixel, then on the lens if there is one, then the time if anything moves. What a scene lacks takes no dimension.
+/// Makes camera rays. The random choices of a ray come from one point, so that they are evenly distributed together:
+/// the place in the pixel, then on the lens if there is one, then the time if anything moves. Missing features use no
+/// dimension.
 class CameraRays {
  public:
-  /// `samples`: of each pixel; one alone goes through its middle. `things_move`: so that rays need a time even if the
-  /// camera rests.
+  /// `samples`: per pixel; a single one goes through its middle. `things_move`: true if rays need a time even if the
+  /// camera is at rest.
   CameraRays(const Camera& camera, const CameraEffects& effects, bool things_move, int width, int height,
              SamplerKind sampler, std::uint32_t samples);
 
@@ -66,14 +70,14 @@ class CameraRays {
     MakeEach(std::span(&of, 1), std::span(&sample, 1));
     return sample;
   }
-  /// Makes the rays of at most R1::batch_size samples, which together take less time.
+  /// Makes the rays of at most R1::batch_size samples, which is faster than one at a time.
   void MakeEach(std::span<const PixelSample> of, std::span<CameraSample> samples) const {
     (this->*kernel_)(of, samples);
   }
 
-  /// Whether all samples have rays; see CameraSample::HasRay.
+  /// Returns true if all samples have rays; see CameraSample::HasRay.
   bool SeesEverywhere() const { return camera_.IsPinhole(); }
-  /// Which of the kernels was chosen: "pinhole", "lens", "moving pinhole", "moving lens", or the same of a projection.
+  /// Returns the name of the kernel: "pinhole", "lens", "moving pinhole", "moving lens", or the same with a projection.
   std::string Kernel() const;
 
  private:
@@ -92,7 +96,7 @@ class CameraRays {
   CameraEffects effects_;
   bool has_time_;
   int width_, height_;
-  R2::Vector half_size_;  // of the picture at distance 1
+  R2::Vector half_size_;  // of the image at distance 1
   SamplerKind sampler_;
   std::uint32_t samples_, grid_side_;
   MakeSamples kernel_;

@@ -9,13 +9,13 @@
 namespace ray {
 namespace {
 
-// More lights than this are not worth asking one by one: surfaces then show their kd, as if lit evenly.
+// With more lights than this, evaluating each is too expensive: surfaces then show their kd, as if lit evenly.
 constexpr std::size_t most_lights = 16;
-// Four times doubled from what a screen shows: a lamp in a pixel's corner must not hide all else it is beside.
+// Four doublings above the maximum of a screen: a light in a pixel's corner must not hide everything else in the pixel.
 constexpr double most_light = 16;
 
-// Mirrored and refracted rays that matter less to a pixel are left out: with half of the rays spared so, in glass, the
-// error on the scenes of script/denoise_table.sh stayed within 1 % of what it was.
+// Mirrored and refracted rays with a smaller throughput are skipped. In glass, where this saves half of the rays, the
+// error on the scenes of script/denoise_table.sh stayed within 1%.
 constexpr double least_luminance = 0.1;
 
 TraceSettings WithoutNoise(TraceSettings settings) {

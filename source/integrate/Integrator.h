@@ -9,33 +9,33 @@
 
 namespace ray {
 
-/// A camera ray, and where its random choices come from.
+/// A camera ray with the key of its random choices.
 struct CameraSample {
   R3::Ray ray;
   SampleIndex index;
-  double x = 0, y = 0;  // where it crosses the picture, in pixels from the lower left corner
+  double x = 0, y = 0;  // place where it crosses the image, in pixels from the lower left corner
 
-  /// Whether the camera sees anything there; else no ray is to be traced, and the sample is black.
+  /// Returns true if the camera sees anything there; otherwise no ray is traced, and the sample is black.
   bool HasRay() const { return ray.t_max > 0; }
 };
 
-/// What a picture shows of a ray.
+/// The computation of an image's colors from camera rays.
 class Integrator {
  public:
   virtual ~Integrator() = default;
 
-  /// What comes back along each of some camera rays, per channel, linear. Rays of neighboring pixels are best given
-  /// together, since they and their shadow rays then are traced together; what each brings back is the same.
+  /// Computes the radiance along each camera ray, per channel, linear. Rays of neighboring pixels should be passed
+  /// together, so that they and their shadow rays are traced together; the results are the same.
   virtual void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const = 0;
 };
 
 /// One line of integrators.def.
 struct IntegratorKind {
   const char* about;
-  /// `world` and `accelerator` outlive what is made.
+  /// `world` and `accelerator` must outlive the result.
   std::unique_ptr<const Integrator> (*make)(const World& world, const Accelerator& accelerator,
                                             const TraceSettings& settings);
-  bool shows_costs = false;  // in the colors of HeatColor, rather than light or surfaces
+  bool shows_costs = false;  // displays HeatColor instead of light or surfaces
 };
 
 }  // namespace ray

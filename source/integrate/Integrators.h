@@ -7,7 +7,7 @@
 
 namespace ray {
 
-/// What a picture can show: the lines of integrators.def.
+/// The modes of an image: the lines of integrators.def.
 enum class RenderMode {
 #define INTEGRATOR(name) name,
 #include "source/integrate/integrators.def"
@@ -20,20 +20,20 @@ inline constexpr std::array render_modes{
 };
 constexpr const auto& NamesOf(RenderMode) { return render_modes; }
 
-/// Every kind, in the order of integrators.def.
+/// Returns all kinds, in the order of integrators.def.
 std::span<const IntegratorKind* const> IntegratorKinds();
 const IntegratorKind& KindOf(RenderMode mode);
 
-/// Whether a mode shows costs, in the colors of HeatColor, rather than light or surfaces.
+/// Returns true if a mode shows costs, in the colors of HeatColor, instead of light or surfaces.
 inline bool ShowsCosts(RenderMode mode) { return KindOf(mode).shows_costs; }
 
-/// Whether the lights of the scene bear on what a mode shows.
+/// Returns true if a mode depends on the lights of the scene.
 inline bool ShowsLight(RenderMode mode) {
   return mode == RenderMode::whitted || mode == RenderMode::path || mode == RenderMode::gooch ||
          mode == RenderMode::toon || mode == RenderMode::hatching;
 }
 
-/// The integrator of a mode, with outlines where the settings ask for them.
+/// Creates the integrator of a mode, with outlines if the settings request them.
 std::unique_ptr<const Integrator> MakeIntegrator(RenderMode mode, const World& world, const Accelerator& accelerator,
                                                  const TraceSettings& settings);
 

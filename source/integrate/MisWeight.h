@@ -2,11 +2,11 @@
 
 namespace ray {
 
-/// The MIS weight of one of two ways to sample the same direction: the balance heuristic, but of pdfs less than a tenth
-/// as large as the other's, where the cutoff heuristic gives nothing, smoothly less. A lamp that one BSDF sample in a
-/// hundred meets is noise in the pixels that meet it, and light samples do as well without. Against the balance
-/// heuristic, direct light from a small lamp has .92 of the error, eight other scenes within 1 % as much; by the power
-/// heuristic .91, and up to 1.04 under skies.
+/// Returns the MIS weight of one of two ways to sample the same direction. It is the balance heuristic, reduced
+/// smoothly for pdfs below a tenth of the other's, where the cutoff heuristic gives 0: a light that one BSDF sample in
+/// a hundred hits is noise in the pixels that hit it, and light samples suffice. Compared with the balance heuristic,
+/// direct light from a small lamp has 0.92 of the error, and eight other scenes the same within 1%. For the power
+/// heuristic it is 0.91, but up to 1.04 under skies.
 ///   source   Veach and Guibas, Optimally combining sampling techniques (1995), section 3.4
 inline double MisWeight(double pdf, double other_pdf) {
   constexpr double per_cutoff = 10;

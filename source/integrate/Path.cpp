@@ -9,8 +9,8 @@ namespace ray {
 namespace {
 
 constexpr std::size_t most_paths = R1::batch_size;
-constexpr R2::Color no_more{1, 1, 1};  // throughput, of light that has all of it
-constexpr std::int64_t first_bounce_at_risk = 2;  // of Russian roulette
+constexpr R2::Color no_more{1, 1, 1};             // of light that has its full throughput
+constexpr std::int64_t first_bounce_at_risk = 2;  // of ending by Russian roulette
 
 }  // namespace
 
@@ -30,7 +30,7 @@ Path::Path(const World& world, const Accelerator& accelerator, const TraceSettin
 }
 
 void Path::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
-  const std::size_t together = state.recorder ? 1 : most_paths;  // a recorder hears of one path after the other
+  const std::size_t together = state.recorder ? 1 : most_paths;  // a recorder receives one path at a time
   for (std::size_t i = 0; i < samples.size(); i += together) {
     const std::size_t count = std::min(samples.size() - i, together);
     TraceTogether(samples.subspan(i, count), radiances.subspan(i, count), state);
@@ -86,9 +86,9 @@ void Path::SampleLights(PathFront& front, TraceState& state) const {
 
 void Path::SampleLight(int light, const PathFront& front, TraceState& state) const {
   const LightSource& source = lights_[light];
-  PointsOfEach<2> random;
+  PointBatch<2> random;
   if (source.IsExtended())
-    GetOfEach(front.Of(front.indices), KeyOf(light), settings_.sampler, settings_.samples, random);
+    GetBatch(front.Of(front.indices), KeyOf(light), settings_.sampler, settings_.samples, random);
   else
     random = {};
   const Light* of_scene = source.OfScene();
@@ -115,7 +115,7 @@ void Path::SampleLight(int light, const PathFront& front, TraceState& state) con
                         [&] { return source.Describe(); }, state);
 }
 
-void Path::SampleLamp(int lamp, const PathFront& front, const PointsOfEach<2>& random, TraceState& state) const {
+void Path::SampleLamp(int lamp, const PathFront& front, const PointBatch<2>& random, TraceState& state) const {
   for (std::size_t i = 0; i < front.points.size(); ++i) {
     const ShadingPoint& p = front.points[i];
     if (!ReflectsLights(p, settings_)) continue;
@@ -151,7 +151,7 @@ void Path::ReflectByPhong(const PathFront& front, LightSamples& samples) const {
 void Path::SampleChosenLights(const PathFront& front, TraceState& state) const {
   auto bsdf = front.bsdfs.begin();
   for (std::size_t i = 0; i < front.points.size(); ++i)
-    if (front.are_diffuse[i] != 0)
+    if (front.diffuse_flags[i] != 0)
       SampleChosenLights(front.points[i], Bsdf(front.points[i], settings_), i, state);
     else
       SampleChosenLights(front.points[i], *bsdf++, i, state);
@@ -189,7 +189,7 @@ void Path::AddLightSample(const ShadingPoint& p, const R2::Color& reflected, con
 
 void Path::TakeStep(const PathFront& front, std::span<R2::Color> gathered, PathFront& next, TraceState& state) const {
   const std::span<const ShadingPoint> points = front.points;
-  if (IsLast(points[0]))  // all have gone as far
+  if (IsLast(points[0]))  // all have the same depth
     for (const ShadingPoint& p : points) CountCutThroughput(p, state);
   if (!MayContinue(points[0])) return;
   const PathFront::Scattered scattered = SampleBsdfs(front);
@@ -205,9 +205,9 @@ void Path::TakeStep(const PathFront& front, std::span<R2::Color> gathered, PathF
 }
 
 PathFront::Scattered Path::SampleBsdfs(const PathFront& front) const {
-  PointsOfEach<4> random;
-  GetOfEachAlone(front.Of(front.indices), scatter_key, settings_.sampler, settings_.samples, random);
-  const std::int64_t depth = front.points[0].path.depth;  // all have gone as far
+  PointBatch<4> random;
+  GetSeparateBatch(front.Of(front.indices), scatter_key, settings_.sampler, settings_.samples, random);
+  const std::int64_t depth = front.points[0].path.depth;  // all have the same depth
   PathFront::Scattered scattered = front.ScatterDiffusely(LeastSurvival(depth), random);
   for (std::uint32_t i = 0; i < front.points.size(); ++i)
     if (!IsBlack(scattered.throughputs[i]) && !front.points[i].IsBehindSurface(scattered.directions[i]))
@@ -263,7 +263,7 @@ std::vector<std::uint32_t> Path::TraceFrom(const PathFront& front, const PathFro
   std::size_t count = 0;
   for (const std::uint32_t i : from) {
     const ShadingPoint& p = front.points[i];
-    new (&rays[count]) R3::Ray(SpawnRay(p, scattered.directions[i]));  // made in place
+    new (&rays[count]) R3::Ray(SpawnRay(p, scattered.directions[i]));  // constructed in place
     if (MayFindLight(p, rays[count])) from[count++] = i;
   }
   from.resize(count);
@@ -299,7 +299,7 @@ R2::Color Path::EnvironmentSeen(const Environment::Seen& seen, const Step& step,
   const R2::Color reaching = throughput * seen.radiance;
   if (IsSpecular(step.lobe)) return reaching;
   const double light_pdf = lights_.PdfOfEnvironment(step.from, seen, lights_at_once_ > 0);
-  if (light_pdf == 0) return reaching;  // found by scattering alone
+  if (light_pdf == 0) return reaching;  // only scattering finds it
   return sampled_.WeightOfBsdf(step.pdf, light_pdf * std::max(1, lights_at_once_)) * reaching;
 }
 
@@ -326,11 +326,12 @@ void Path::AddEmitted(const PathFront& front, const PathFront::Scattered& scatte
 
 R2::Color Path::Emitted(const Step& step, const ShadingPoint& hit) const {
   const R2::Color seen = hit.path.throughput * hit.material->emission;
-  // A lamp of a color is found by its samples, and shown in mirrors, which as in mode whitted go no deeper than others.
+  // A light with a color is found by its samples, and shown in mirrors, which as in mode whitted are no deeper than
+  // others.
   if (lights_.EmitsColor()) return step.lobe == Lobe::diffuse || IsLast(step.from) ? R2::Color{} : seen;
   if (IsSpecular(step.lobe)) return seen;
   const auto light_pdf = lights_.PdfOfHit(step.from, hit, world_, lights_at_once_ > 0);
-  if (!light_pdf) return seen;  // found by scattering alone
+  if (!light_pdf) return seen;  // only scattering finds it
   return sampled_.WeightOfBsdf(step.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Each = LightSamples::Each;
 
-/// Makes cosines of N and the way to the light.
+/// Computes cosines of N and the way to the light.
 R3_VECTORIZED
 void MakeCosines(const R1::Columns<R3::Vector>& normals, const LightSamples& samples, Each& cosines) {
   for (std::uint32_t i = 0; i < samples.count; ++i) cosines[i] = Dot(normals[i], BranchlessUnit(samples.to_light[i]));
@@ -32,7 +32,7 @@ void PathFront::MakeColumns(const MaterialTraitsOf& traits, const TraceSettings&
     throughputs.Set(i, p.path.throughput);
     clearances[i] = p.departure.clearance;
     const bool is_diffuse = traits[*p.material].is_diffuse;
-    are_diffuse[i] = is_diffuse ? 1 : 0;
+    diffuse_flags[i] = is_diffuse ? 1 : 0;
     if (is_diffuse) continue;
     others.push_back(i);
     bsdfs.emplace_back(p, settings);
@@ -59,20 +59,20 @@ R3_VECTORIZED
 void PathFront::ReflectDiffusely(double most_weight, const Each& pdfs, LightSamples& samples) const {
   alignas(64) Each cosines;
   MakeCosines(normals, samples, cosines);
-  R1::Columns<R2::Color> colors;  // of its own, so that it is clear that nothing overlaps
+  R1::Columns<R2::Color> colors;  // separate arrays, which obviously do not overlap
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     const double cosine_pdf = R3::CosineHemispherePdf(cosines[i]);
     const double weight = 1 - std::min(most_weight, MisWeight(cosine_pdf, pdfs[i]));
     const R2::Color color = samples.color[i], eval = cosine_pdf * kd[i];
     const double cosine_if_sampled = pdfs[i] > 0 ? cosines[i] : 0;
     const R2::Color reflected = Chosen(cosine_if_sampled > 0, weight * eval * color, {});
-    colors.Set(i, Chosen(are_diffuse[i] > 0, reflected, color));
+    colors.Set(i, Chosen(diffuse_flags[i] > 0, reflected, color));
   }
   for (std::uint32_t i = 0; i < samples.count; ++i) samples.color.Set(i, colors[i]);
 }
 
 R3_VECTORIZED
-PathFront::Scattered PathFront::ScatterDiffusely(double least_survival, const PointsOfEach<4>& random) const {
+PathFront::Scattered PathFront::ScatterDiffusely(double least_survival, const PointBatch<4>& random) const {
   Scattered scattered;
   const auto& [u, v, of_lobe, choices] = random.coordinates;
   const std::size_t count = points.size();
@@ -81,11 +81,11 @@ PathFront::Scattered PathFront::ScatterDiffusely(double least_survival, const Po
     const double pdf = R3::CosineHemispherePdf(Dot(normals[i], scattered.directions[i]));
     const R2::Color throughput = throughputs[i] * (pdf * kd[i]) / pdf;
     const double survival = std::max(least_survival, SurvivalProbability(throughput));
-    // Nested, since g++ makes no vector instructions of several conditions in one.
+    // Nested, since g++ does not vectorize several conditions in one.
     const double if_above = pdf > 0 ? survival : 0, if_reflected = Luminance(kd[i]) > 0 ? if_above : 0;
-    const bool goes_on = choices[i] < (are_diffuse[i] > 0 ? if_reflected : 0);
+    const bool continues = choices[i] < (diffuse_flags[i] > 0 ? if_reflected : 0);
     scattered.pdfs[i] = pdf;
-    scattered.throughputs.Set(i, Chosen(goes_on, throughput / survival, {}));
+    scattered.throughputs.Set(i, Chosen(continues, throughput / survival, {}));
   }
   return scattered;
 }

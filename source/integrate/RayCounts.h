@@ -8,11 +8,11 @@
 
 namespace ray {
 
-/// What a ray is for. Transmission is straight or refracted; diffuse rays are those that diffuse surfaces scatter.
+/// The purpose of a ray. Transmission is straight or refracted; diffuse rays are scattered by diffuse surfaces.
 enum class RayKind : std::uint8_t { camera, shadow, reflection, transmission, diffuse };
 inline constexpr std::array ray_kind_names{"camera", "shadow", "reflection", "transmission", "diffuse"};
 
-/// Rays by what they were for, and what tracing them cost.
+/// Numbers of rays by purpose, with their cost.
 struct RayCounts {
   struct Kind {
     std::uint64_t rays = 0;
@@ -20,16 +20,16 @@ struct RayCounts {
     friend bool operator==(const Kind&, const Kind&) = default;
   };
   std::array<Kind, ray_kind_names.size()> kinds;
-  std::uint64_t cut = 0;  // wanted, but a camera ray had reached its limit of descendants
-  // Luminance of throughputs at which settings ended a path, in shares of a camera ray's: integers, since their sum is
-  // the same in any order.
+  std::uint64_t cut = 0;  // not traced because the camera ray had reached its limit of descendants
+  // The luminance of throughputs at which settings ended paths, relative to a camera ray's. Integers, whose sum does
+  // not depend on the order.
   std::uint64_t throughput_cut = 0;
   static constexpr double throughput_unit = 65536;
   std::uint64_t caustics = 0;  // paths that found the brightest light behind mirrors or glass, see Caustics
 
-  /// A path of this luminance, at least 0 or NaN, ends though a longer one might carry light.
+  /// Counts the end of a path with that luminance, at least 0 or NaN, though a longer one might carry light.
   void EndAt(double luminance) {
-    constexpr double most = 1e6;  // so that the sum of 1e8 such paths fits; materials may reflect more than they get
+    constexpr double most = 1e6;  // so that the sum of 1e8 such paths fits; materials may reflect more than arrives
     throughput_cut += static_cast<std::uint64_t>(throughput_unit * (luminance < most ? luminance : most));
   }
 

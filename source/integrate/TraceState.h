@@ -21,15 +21,16 @@
 
 namespace ray {
 
-/// A path as far as it is known, but for its last ray.
+/// The state of a path before its last ray.
 struct PathState {
-  R2::Color throughput{1, 1, 1};  // of what the ray sees
+  R2::Color throughput{1, 1, 1};  // of the light at the ray's end
   std::int64_t depth = 0;         // bounces before it
   SampleIndex index{};
   RayKind kind = RayKind::camera;
-  bool is_scattered = false;     // by some surface, not only mirrored and refracted
-  MediumSets::Number media = 0;  // what it is inside of
-  int record = -1;  // where rays are recorded: its number; until it is traced that of the ray it comes from
+  bool is_scattered = false;     // by any surface, not only mirrored and refracted
+  MediumSets::Number media = 0;  // the solids that it is inside of
+  // number of the ray, if rays are recorded; until it is traced that of its parent
+  int record = -1;
 };
 
 /// A path that waits to be traced.
@@ -38,8 +39,8 @@ struct PendingPath {
   PathState path;
 };
 
-/// Shadow rays still to be traced together, and which of the points being shaded reflects how much unless its ray is
-/// stopped.
+/// Shadow rays to be traced together. For each, the point being shaded that it starts from, and the light that the
+/// point reflects unless the ray is occluded.
 struct ShadowRays {
   static constexpr std::size_t capacity = R1::batch_size;
 
@@ -55,16 +56,16 @@ struct ShadowRays {
 
 class RayRecorder;
 
-/// What one thread needs while tracing.
+/// The state of one thread while tracing.
 struct TraceState {
   Workspace workspace;
   RayCounts rays;
   std::vector<R3::Ray> batch;  // camera rays
   std::vector<std::optional<WorldHit>> hits;
-  std::vector<std::uint32_t> ray_of;  // which of the camera rays led to each point
+  std::vector<std::uint32_t> ray_of;  // the camera ray that led to each point
   std::vector<R2::Color> sent_back;   // by each of their points
   std::vector<PendingPath> pending;
-  // What rays point to that wait, or that have gone through a surface.
+  // Referenced by rays that wait, or that have crossed a surface.
   Arena<R3::Departure> departures;
   Arena<R3::Crossed> crossings;
   MediumSets media;
@@ -76,21 +77,21 @@ struct TraceState {
   std::optional<CameraRay> last_camera_ray;  // whose media are known
   ShadowRays shadows;
   std::vector<R2::Color> arrived;           // at each point
-  RayRecorder* recorder = nullptr;          // told of every ray; null for none
-  const std::atomic<bool>* stop = nullptr;  // looked at before each few rays; null for none
-  std::optional<R3::SearchLimit::Clock::time_point> deadline;  // likewise
+  RayRecorder* recorder = nullptr;          // receives every ray; null for none
+  const std::atomic<bool>* stop = nullptr;  // checked before every few rays; null for none
+  std::optional<R3::SearchLimit::Clock::time_point> deadline;  // checked like `stop`
 
-  /// Before camera rays are traced, all before being done.
+  /// Resets the state before camera rays are traced, which must all be done.
   void Begin() {
     departures.Shrink(0), crossings.Shrink(0);
     media.Clear();
     last_camera_ray.reset();
   }
 
-  /// Then what is being traced is of no use to anybody, and loops may end early.
+  /// Returns true if the results are no longer needed, so that loops may end early.
   bool IsStopped() const { return R3::SearchLimit::IsReached(stop, deadline); }
 
-  /// Counts rays of one kind and what the workspace has counted since the last.
+  /// Counts rays of one kind and the costs in the workspace since the last call.
   void Count(RayKind kind, std::size_t count) {
     RayCounts::Kind& of_kind = rays[kind];
     of_kind.rays += count;

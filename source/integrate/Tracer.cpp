@@ -25,7 +25,7 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
     std::optional<WorldHit>& hit = state.hits[i];
     if (hit) {
       ShadingPoint& p = points.emplace_back(samples[i].ray, samples[i].index, *hit);
-      if (media_.AreNeeded() && !StartInMedia(state.batch[i], p, state))
+      if (media_.IsNeeded() && !StartInMedia(state.batch[i], p, state))
         points.pop_back(), hit.reset();
       else
         state.ray_of.push_back(i);
@@ -38,12 +38,13 @@ std::vector<ShadingPoint> Tracer::CameraHits(std::span<const CameraSample> sampl
 }
 
 void Tracer::Complete(std::span<const std::uint32_t> ray_of, std::span<ShadingPoint> points, TraceState& state) const {
-  if (state.recorder)  // which shows positions, and texture coordinates whether the material has a use for them or not
+  // recorders show positions, and texture coordinates even if the material does not use them
+  if (state.recorder)
     for (std::size_t i = 0; i < points.size(); ++i)
       points[i] = ShadingPointAt(world_, state.batch[ray_of[i]], points[i].path, points[i].hit);
   else
     CompleteShadingPoints(world_, state.batch, ray_of, points);
-  if (media_.AreNeeded())
+  if (media_.IsNeeded())
     for (ShadingPoint& p : points) SetSides(p, state);
 }
 
@@ -60,27 +61,27 @@ void Tracer::RecordCameraRay(const CameraSample& sample, ShadingPoint* hit, Trac
     state.recorder->Misses(record, Background(world_.scene(), sample.ray.direction));
 }
 
-void Tracer::FindOccluded(std::span<const R3::Ray> shadow_rays, std::span<bool> are_occluded, TraceState& state) const {
+void Tracer::FindOccluded(std::span<const R3::Ray> shadow_rays, std::span<bool> is_occluded, TraceState& state) const {
   if (!shadows_) {
-    std::ranges::fill(are_occluded, false);
+    std::ranges::fill(is_occluded, false);
     return;
   }
   if (shadow_rays.size() == 1)
-    are_occluded[0] = accelerator_.IsOccluded(shadow_rays[0], state.workspace);
+    is_occluded[0] = accelerator_.IsOccluded(shadow_rays[0], state.workspace);
   else
-    accelerator_.IsOccluded(shadow_rays, are_occluded.data(), state.workspace);
+    accelerator_.IsOccluded(shadow_rays, is_occluded.data(), state.workspace);
   state.Count(RayKind::shadow, shadow_rays.size());
 }
 
 void Tracer::TraceShadowRays(TraceState& state) const {
   ShadowRays& shadows = state.shadows;
   if (shadows.count == 0) return;
-  std::array<bool, ShadowRays::capacity> are_occluded;
-  FindOccluded(shadows.Rays(), are_occluded, state);
+  std::array<bool, ShadowRays::capacity> is_occluded;
+  FindOccluded(shadows.Rays(), is_occluded, state);
   if (state.recorder) [[unlikely]]
-    state.recorder->EndShadows([&](std::size_t i) { return are_occluded[i]; }, world_, accelerator_, state.workspace);
+    state.recorder->EndShadows([&](std::size_t i) { return is_occluded[i]; }, world_, accelerator_, state.workspace);
   for (std::size_t i = 0; i < shadows.count; ++i)
-    if (!are_occluded[i]) state.arrived[shadows.point[i]] += shadows.reflected[i];
+    if (!is_occluded[i]) state.arrived[shadows.point[i]] += shadows.reflected[i];
   shadows.count = 0;
 }
 

@@ -9,7 +9,7 @@
 namespace ray {
 namespace {
 
-// What the keys beneath a surface are for. Lights follow, one each.
+// The purposes of keys below a surface. Lights follow, with one key each.
 enum WhittedKey : std::uint64_t {
   reflection_key,
   transmission_key,
@@ -18,7 +18,7 @@ enum WhittedKey : std::uint64_t {
   environment_key,
   first_light_key
 };
-// Keys of the rays that share a reflection, and of the choice of lights; no surface has lights up to these numbers.
+// Keys of the rays that share a reflection, and of the choice of lights. No surface has that many lights.
 constexpr std::uint64_t gloss_key = camera_key - 1, chosen_lights_key = camera_key - 2;
 
 /// The environment, reflected by kd / pi.
@@ -38,7 +38,7 @@ class LightAround : public LightSource {
   const Environment& environment_;
 };
 
-/// Paths wait longer than the point that they start from stays.
+/// Copies the departure of waiting paths, which outlive the point that they start from.
 void KeepDeparture(const R3::Departure& departure, std::span<PendingPath> spawned, TraceState& state) {
   const R3::Departure& kept = state.departures.Add(departure);
   for (PendingPath& path : spawned)
@@ -77,7 +77,7 @@ void Whitted::Li(std::span<const CameraSample> samples, std::span<R2::Color> rad
     }
 }
 
-// The recursion is unrolled onto a stack of paths that carry their throughput: depth first, the mirrored ray before the
+// Follows the recursion on a stack of paths that carry their throughput: depth first, the mirrored ray before the
 // transmitted one.
 R2::Color Whitted::Follow(const ShadingPoint& first, const R2::Color& radiance, TraceState& state) const {
   R2::Color sum = first.path.throughput * radiance;
@@ -150,7 +150,7 @@ void Whitted::AddLight(const LightSource& light, std::uint64_t which, std::span<
       continue;
     }
     if (!light.MayShineOn(p)) continue;
-    // One light's samples from all of a pixel's camera rays are one set of points.
+    // The samples of a light from all of a pixel's camera rays are one set of points.
     const Points random = p.path.index.PointsFor(which, settings_.sampler, settings_.samples, count);
     for (std::uint32_t k = 0; k < count && !state.IsStopped(); k += LightSamples::most)
       AddSamples(light, p, i, random, p.path.index.FirstOf(count) + k, std::min(count - k, LightSamples::most),
@@ -233,7 +233,7 @@ void Whitted::Spawn(const ShadingPoint& p, TraceState& state) const {
   }
 }
 
-/// Several rays share a reflection.
+/// Spawns several rays that share a reflection.
 void Whitted::SpawnGlossy(const ShadingPoint& p, const R2::Color& throughput, const SampleIndex& back,
                           std::vector<PendingPath>& pending) const {
   const auto count = static_cast<std::uint32_t>(p.material->gloss_samples);

@@ -11,16 +11,16 @@
 
 namespace ray {
 
-/// The targets of a first look at an image: the first samples of `places` pixels of each block, in the order of
+/// Returns the targets of a first look at an image: the first samples of `places` pixels of each block, in the order of
 /// BlockOrder. The other pixels are filled from them.
 PassTargets LookTargets(std::size_t blocks, int places);
 
-/// The most places of a block, a power of 4, such that a first look at an image of so many pixels takes no longer than
-/// `seconds`, or 1. `pixels_per_second`: 0 if it is not known.
+/// Returns the most places of a block, a power of 4, with which a first look at an image of that many pixels takes at
+/// most `seconds`; at least 1. `pixels_per_second`: 0 if it is unknown.
 int PlacesWithin(double seconds, std::int64_t pixels, double pixels_per_second);
 
-/// First samples of an image for someone who watches it grow: they are taken where the watcher wants them, whatever
-/// the time limit of the settings and also in modes that show costs. Render can resume from them.
+/// The first samples of an image that grows on the screen. They are taken in the order that the viewer requests,
+/// regardless of the time limit of the settings, and also in modes that show costs. Render can resume from them.
 class FirstLook {
  public:
   /// `integrator`, `settings` and `stop` must outlive this. `count` is called after each tile with all rays so far.
@@ -29,11 +29,11 @@ class FirstLook {
 
   /// Takes the first samples of `places` pixels of each block, until `pause_at`.
   PassRunner::End Look(int places, std::chrono::steady_clock::time_point pause_at);
-  /// The image so far, without gaps.
+  /// Returns the image so far, without gaps.
   R2::Image Image() const { return ImageOf(film_, settings_); }
-  /// The number of pixels that a look at so many places takes samples of.
+  /// Returns the number of pixels of which a look at that many places takes samples.
   double Pixels(int places) const;
-  /// The state from which Render continues. Call it once, last.
+  /// Returns the state from which Render continues. Call it once, last.
   RenderState TakeState();
 
  private:

@@ -13,28 +13,28 @@
 namespace ray {
 namespace {
 
-// Lengths are shares of the image's height.
+// Lengths are fractions of the image's height.
 constexpr double glow_radius = 0.3, glow_core = 0.02, streak_length = 0.25, streak_width = 0.004;
 constexpr int streaks = 6;
 
-/// A disc on the line through the lamp and the middle of the image.
+/// A disc on the line through the light source and the middle of the image.
 struct Ghost {
-  double place;  // 1: the lamp, 0: the middle, -1: opposite the lamp
+  double place;  // 1: the source, 0: the middle, -1: opposite the source
   double radius;
-  R2::Color color;  // of the light that arrives
+  R2::Color color;  // multiplies the arriving light
 };
 constexpr std::array ghosts{Ghost{0.55, 0.035, {0.05, 0.04, 0.02}},  Ghost{0.25, 0.015, {0.06, 0.07, 0.04}},
                             Ghost{-0.25, 0.05, {0.02, 0.05, 0.03}},  Ghost{-0.5, 0.025, {0.04, 0.04, 0.08}},
                             Ghost{-0.8, 0.09, {0.03, 0.02, 0.04}},   Ghost{-1.15, 0.04, {0.06, 0.03, 0.02}},
                             Ghost{-1.5, 0.14, {0.015, 0.02, 0.035}}};
 
-/// A lamp as the camera sees it.
+/// A light source as the camera sees it.
 struct Glare {
   R2::Point place;  // in pixels
-  R2::Color light;  // that arrives
+  R2::Color light;  // arriving light
 };
 
-/// Where in the image a direction leads, in pixels; nothing outside of it.
+/// Returns the place of a direction in the image, in pixels; std::nullopt if it is outside.
 std::optional<R2::Point> PlaceOf(const R3::Vector& direction, const Camera& camera, const RenderSettings& settings) {
   const double depth = Dot(direction, camera.towards);
   if (!(depth > 0)) return {};
@@ -45,7 +45,7 @@ std::optional<R2::Point> PlaceOf(const R3::Vector& direction, const Camera& came
   return R2::Point{(across + 1) / 2 * settings.width, (upward + 1) / 2 * settings.height};
 }
 
-/// Number `i` of points that fill the unit disc evenly.
+/// Returns point number `i` of `count` points that fill the unit disc evenly.
 ///   source   Vogel, A better way to construct the sunflower head (1979)
 R2::Point OnDisc(int i, int count) {
   const double radius = std::sqrt((i + 0.5) / count);
@@ -72,7 +72,7 @@ class Flare {
         const R2::Point place{middle.x + ghost.place * (glare.place.x - middle.x),
                               middle.y + ghost.place * (glare.place.y - middle.y)};
         AddWithin(image, region, place, ghost.radius, [&](const R2::Vector&, double share) {
-          const double edge = std::min(1.0, 8 * (1 - share));  // an eighth of the radius wide
+          const double edge = std::min(1.0, 8 * (1 - share));  // the edge is an eighth of the radius wide
           return (0.6 + 0.4 * share * share) * edge * ghost.color * glare.light;
         });
       }
@@ -99,14 +99,14 @@ class Flare {
     return Glare{{across / weight, upward / weight}, settings_.flare / rays * sum};
   }
 
-  /// The van der Corput sequence, for a second coordinate on lamps that have an area.
+  /// Returns element `i` of the van der Corput sequence, the second coordinate on area lights.
   static double Radical(int i) {
     double value = 0;
     for (double digit = 0.5; i > 0; i /= 2, digit /= 2) value += (i % 2) * digit;
     return value;
   }
 
-  /// From beside the eye, as far as the lamp's glow is wide there.
+  /// Traces a shadow ray that starts next to the eye, up to the radius of the light's glow away.
   bool IsHidden(const LightSample& sample, const R2::Point& on_disc) {
     const double width = glow_core * camera_.HalfHeight(settings_.width, settings_.height) *
                          (sample.is_infinite ? 1 : Length(sample.to_light));
@@ -134,7 +134,7 @@ class Flare {
     return sum;
   }
 
-  /// Adds what `light` gives for the way from a place and for the share of a radius, at the middle of each pixel.
+  /// Adds `light_at`, a function of the way from a place and of the fraction of a radius, at the middle of each pixel.
   template <class LightAt>
   void AddWithin(R2::Image& image, const PixelRectangle& region, const R2::Point& place, double radius,
                  const LightAt& light) const {

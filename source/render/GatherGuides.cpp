@@ -16,21 +16,21 @@
 namespace ray {
 namespace {
 
-// Guides that vary by more within a pixel have an edge there. Whether the streams' means differ must not decide: where
-// they agree by chance, both would be trusted though both are wrong alike.
+// Guides whose range within a pixel exceeds this have an edge there. The difference of the streams' means must not
+// decide: where they agree by chance, both would be trusted with the same error.
 constexpr double edge = 0.06;
 
-// Without a budget, guides are refined by so many rays for each camera ray of the pixels around, on average over a
+// Without a budget, guides are refined by this number of rays per camera ray of the pixels around, on average over a
 // square of them. On the scenes of script/denoise_table.sh this leaves 2% more error than any number of rays, and
-// takes guides .2 to .65 times the rays of the render.
+// guides take 0.2 to 0.65 times the rays of the render.
 constexpr double refining_rays = 6;
 constexpr int sharing_radius = 6;
-// Pixels share with those around them, whose levels in turn depend on their neighbors.
+// The share of a pixel depends on those around it, whose levels depend on their neighbors in turn.
 static_assert(denoise_reach_of_best_guides + sharing_radius + 1 <= denoise_reach);
 
 static_assert(std::tuple_size_v<PixelGuide> == std::tuple_size_v<Guide>);
 
-/// The guides of some camera rays of a pixel.
+/// Sums of the guides of some camera rays of a pixel.
 struct Tally {
   Guide sum{}, low, high;
   std::uint32_t count = 0;
@@ -61,7 +61,7 @@ struct Tally {
     for (std::size_t k = 0; k < sum.size(); ++k) mean[k] = static_cast<float>(sum[k] / std::max(1u, count));
     return mean;
   }
-  /// By how much the guide varies most, of light only what a screen shows.
+  /// Returns the largest range of a component of the guides; light counts only as far as a screen shows it.
   double Range() const {
     double most = 0;
     for (std::size_t k = 0; k < sum.size() && count > 0; ++k)
@@ -70,28 +70,28 @@ struct Tally {
   }
 };
 
-/// How many more samples pixels get: in proportion to how much their guides vary, which of all ways to spread so many
-/// makes the sum of the means' variances least. Pixels are pooled by that in steps of a hundredth. To count what a ray
-/// of each costs had no less error.
+/// The allotment of additional samples to pixels, in proportion to the range of their guides. For a given number of
+/// samples this minimizes the sum of the means' variances. Pixels are grouped by that range in steps of a hundredth.
+/// Weighing by the cost of each pixel's rays did not reduce the error.
 ///   source   Neyman, On the two different aspects of the representative method (1934)
 class Allotment {
  public:
   using Level = std::uint8_t;
-  /// Normals differ by up to 2.
+  /// The level of a range. Normals differ by up to 2.
   static Level LevelOf(double range) { return static_cast<Level>(std::ceil(std::min(range, 2.0) * steps)); }
 
   void Add(Level level, double rays_per_sample) { rays_per_sample_[level] += rays_per_sample; }
-  /// Lets no pixel have more than `most` samples and all together at most as many rays, about.
+  /// Limits the samples of each pixel to `most`, and the rays of all together to about `rays`.
   void Share(double rays, double most) {
     most_ = most;
-    double too_much = most + 1;  // even the lowest level has all then
+    double too_much = most + 1;  // with that many even the lowest level has all its samples
     constexpr int halvings = 40;
     for (int i = 0; i < halvings; ++i) {
       const double samples = (samples_per_level_ + too_much) / 2;
       (Rays(samples) <= rays ? samples_per_level_ : too_much) = samples;
     }
   }
-  /// How many rays pixels could have together, were there no other bound.
+  /// Returns the number of rays of all pixels if only `most` limited them.
   double MostRays() const { return Rays(most_ + 1); }
   std::uint32_t SamplesOf(Level level) const { return Samples(level, samples_per_level_); }
 
@@ -108,7 +108,7 @@ class Allotment {
     return sum;
   }
 
-  std::array<double, std::numeric_limits<Level>::max() + 1> rays_per_sample_{};  // of all pixels of a level
+  std::array<double, std::numeric_limits<Level>::max() + 1> rays_per_sample_{};  // sums over the pixels of a level
   double most_ = 0, samples_per_level_ = 0;
 };
 
@@ -149,7 +149,7 @@ class Gathering {
   int ChunksOfRow() const { return (ranges_.Width() + chunk - 1) / chunk; }
   int Chunks() const { return ChunksOfRow() * ranges_.Height(); }
 
-  /// x and y count from the lower left corner of the region.
+  /// Calls work for each pixel; x and y count from the lower left corner of the region.
   template <typename Work>
   void ForEachPixel(const Work& work) {
     tbb::parallel_for(0, Chunks(), [&](int i) {
@@ -179,8 +179,8 @@ class Gathering {
         static_cast<float>(state.rays.Total() - rays_before) / static_cast<float>(std::max(1u, both.count));
   }
 
-  /// How uneven the pixel's guides are; 0 where no edge is near. An edge may cross its corner between its samples: half
-  /// of what its neighbors have is taken for granted.
+  /// Returns how uneven the pixel's guides are; 0 if no edge is near. Since an edge may cross its corner between its
+  /// samples, the level is at least half of that of its neighbors.
   Allotment::Level LevelAt(int x, int y) const {
     float most = 0;
     for (int j = y - 1; j <= y + 1; ++j)
@@ -199,9 +199,10 @@ class Gathering {
     found_.refining_rays_of_use = allotment_.MostRays();
   }
 
-  /// Without a budget for the whole, each pixel has a share of what its surroundings may take, by the same rule.
+  /// Sets up sharing without a total budget: each pixel has a share of the samples of its surroundings, by the same
+  /// rule.
   void ShareAround() {
-    Pixels<std::array<float, 1>> rays(ranges_.Width(), ranges_.Height());  // that a sample of all pixels takes
+    Pixels<std::array<float, 1>> rays(ranges_.Width(), ranges_.Height());  // of a sample in all pixels
     for (int y = 0; y < rays.Height(); ++y)
       for (int x = 0; x < rays.Width(); ++x)
         rays.At(x, y)[0] = static_cast<float>(LevelAt(x, y)) * rays_per_sample_.At(x, y);
@@ -213,11 +214,11 @@ class Gathering {
     return static_cast<std::uint32_t>(std::min<double>(samples, most));
   }
 
-  /// Each stream's best guide: over its own camera rays and `count` others. The fewer these are, the nearer it is to
-  /// the stream's guide; over both streams' rays it would share its noise with the stream that is to tell how good it
-  /// is.
+  /// Computes each stream's best guide: over its own camera rays and `count` others. With few others it is close to the
+  /// stream's own guide. Over both streams' rays it would share its noise with the other stream, which must measure its
+  /// error.
   void Refine(int x, int y, std::uint32_t count, TraceState& state) {
-    constexpr int others = Film::parts;  // another stream than those of the samples
+    constexpr int others = Film::parts;  // a stream other than those of the samples
     const Tally refined = Trace(x, y, others, refining_camera_, count, state);
     for (int stream = 0; stream < Film::parts; ++stream) {
       const auto own = static_cast<float>(BlockOf(x, y).samples[stream]), added = static_cast<float>(count);
@@ -255,7 +256,7 @@ class Gathering {
   const CameraRays camera_, refining_camera_;
   Pixels<float> ranges_, rays_per_sample_;
   Allotment allotment_;
-  Pixels<std::array<float, 1>> rays_around_;  // mean over a square of level times rays per sample
+  Pixels<std::array<float, 1>> rays_around_;  // means over a square of level times rays per sample
   GatheredGuides found_;
   tbb::enumerable_thread_specific<TraceState> states_;
 };

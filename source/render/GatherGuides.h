@@ -16,21 +16,22 @@ namespace ray {
 
 struct GatheredGuides {
   Guides guides;
-  RayCounts rays;                    // that they took
-  std::uint64_t following_rays = 0;  // of them, those over the film's camera rays
-  double refining_rays_of_use = 0;   // about how many of the others there would be without a bound
+  RayCounts rays;                    // the rays traced
+  std::uint64_t following_rays = 0;  // the part of them over the film's camera rays
+  double refining_rays_of_use = 0;   // approximate number of the others without a limit
 };
 
-/// What refining may take, told how many rays it took to follow the film's camera rays, once that is done. Nothing: in
-/// proportion to the camera rays, place by place.
+/// Returns the limit of refining, given the number of rays over the film's camera rays, after these. std::nullopt:
+/// refine in proportion to the camera rays, place by place.
 using RefiningBudget = std::function<std::optional<Refinement>(std::uint64_t following_rays)>;
 
-/// The guides of the film's pixels: over the camera rays that the film's samples came from, two streams as many each;
-/// and, at edges, over others, which both streams' best guides share. Filters wider than a pixel are left out of
-/// account. The same, bit for bit, for any number of threads.
-///   refining   tells how many those others may be. They are spread so that they help most: over all of the film, or,
-///              in proportion, over what is near each pixel, so that a part of a picture has the guides of the whole
-///   meter      told of parts of rows of pixels; once it is stopped, what comes out is of no use
+/// Computes the guides of the film's pixels: over the camera rays of the film's samples, equally many of each stream,
+/// and at edges over additional ones, which the best guides of both streams share. Filters wider than a pixel are
+/// ignored. The result is the same, bit for bit, for any number of threads.
+///   refining   returns the limit of additional rays, which are spread so that they help most over the whole film; or
+///              std::nullopt to spread them in proportion over the surroundings of each pixel, so that a part of an
+///              image has the guides of the whole
+///   meter      is notified of parts of rows of pixels; after a stop, the result is unspecified
 GatheredGuides GatherGuides(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                             const Film& film, const RefiningBudget& refining, WorkMeter& meter);
 

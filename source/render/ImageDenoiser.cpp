@@ -16,13 +16,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 WorkMeter MeterOf(RenderPhase phase, const RenderMonitor& monitor) {
-  const auto tell = [&monitor, phase](std::int64_t done, std::int64_t total) {
+  const auto report = [&monitor, phase](std::int64_t done, std::int64_t total) {
     if (monitor.tile_done) monitor.tile_done({done, total, 0, phase});
   };
-  return {tell, monitor.stop};
+  return {report, monitor.stop};
 }
 
-/// What guides are refined by: as before, in a replay, or by so many rays as there is time for, or in proportion.
+/// The number of rays that refine guides: in a replay that of the earlier render, otherwise as many as there is time
+/// for, or without a time limit in proportion to the samples.
 class Refining {
  public:
   Refining(const RenderSettings& settings, std::optional<Clock::time_point> end)
@@ -30,10 +31,10 @@ class Refining {
 
   std::optional<Refinement> operator()(std::uint64_t following_rays) const {
     if (again_ || !end_) return again_;
-    constexpr double most = 1e15;                   // a picture of any size has no use for more
-    constexpr std::uint32_t samples_in_time = 512;  // for time that is left, which nothing else has a use for
+    constexpr double most = 1e15;                   // more than an image of any size needs
+    constexpr std::uint32_t samples_in_time = 512;  // for the time that is left, which has no better use
     const double seconds_left = -SecondsSince(*end_);
-    constexpr double price_at_edges = 1.15;  // of a ray, beside those that were followed
+    constexpr double price_at_edges = 1.15;  // of a ray, relative to those over camera rays
     const double rays_per_second = static_cast<double>(following_rays) / (price_at_edges * SecondsSince(start_));
     const double rays = std::clamp(rays_per_second * seconds_left, 0.0, most);
     return Refinement{static_cast<std::uint64_t>(rays), samples_in_time};
@@ -45,7 +46,7 @@ class Refining {
   const std::optional<Clock::time_point> end_;
 };
 
-/// The region of a film, of an image of all that it makes.
+/// Returns the region of a film from an image of all pixels that it computes.
 R2::Image RegionIn(const R2::Image& made, const Film& film) {
   const PixelRectangle &region = film.Region(), &all = film.Made();
   R2::Image image(region.Width(), region.Height());
@@ -54,16 +55,16 @@ R2::Image RegionIn(const R2::Image& made, const Film& film) {
   return image;
 }
 
-DenoisedPicture DenoisedRegion(const Film& film, const Film& all, const Guides& guides, const DenoiseFilters& filters,
-                               WorkMeter& meter) {
-  const DenoisedPicture denoised = Denoise(all.Part(0), all.Part(1), guides, filters, meter);
+DenoisedImage DenoisedRegion(const Film& film, const Film& all, const Guides& guides, const DenoiseFilters& filters,
+                             WorkMeter& meter) {
+  const DenoisedImage denoised = Denoise(all.Part(0), all.Part(1), guides, filters, meter);
   return {{RegionIn(denoised.of_stream[0], film), RegionIn(denoised.of_stream[1], film)}};
 }
 
 }  // namespace
 
-DenoisedPicture DenoiseFilm(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                            const Film& film) {
+DenoisedImage DenoiseFilm(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                          const Film& film) {
   const Film all = film.WithSurroundings();
   WorkMeter meter;
   const auto in_proportion = [](std::uint64_t) { return std::optional<Refinement>(); };
@@ -71,14 +72,14 @@ DenoisedPicture DenoiseFilm(const World& world, const Accelerator& accelerator, 
   return DenoisedRegion(film, all, gathered.guides, DenoiseFilters(settings.denoiser, settings.threads), meter);
 }
 
-/// A denoised image, and what it took.
+/// A denoised image with its cost.
 struct ImageDenoiser::Denoised {
   R2::Image image;
-  std::string by;      // the name of the filters
-  MeasuredError left;  // by the filters
+  std::string by;      // names of the filters
+  MeasuredError left;  // error after filtering
   std::optional<Refinement> refinement;
-  RayCounts rays;      // of the guides
-  double samples = 0;  // that the film had
+  RayCounts rays;      // rays of the guides
+  double samples = 0;  // samples of the film
   double guide_seconds = 0;
 };
 
@@ -134,13 +135,13 @@ void ImageDenoiser::Denoise(const Film& film, const UnseenLight& unseen, std::op
       WorkMeter of_filters = MeterOf(RenderPhase::filters, monitor);
       was_stopped_ = of_filters.IsStopped();
       if (was_stopped_) return;
-      const DenoisedPicture picture = DenoisedRegion(film, all, gathered.guides, filters, of_filters);
+      const DenoisedImage image = DenoisedRegion(film, all, gathered.guides, filters, of_filters);
       was_stopped_ = of_filters.IsStopped();
       if (was_stopped_) return;
-      denoised->image = picture.Mean();
+      denoised->image = image.Mean();
       denoised->by = filters.Name();
       denoised->samples = SamplesTaken(film);
-      denoised->left = MeasureDenoisedError(film, picture, measure_);
+      denoised->left = MeasureDenoisedError(film, image, measure_);
       AllowFor(unseen, measure_, denoised->left);
       last_ = std::move(denoised);
     });

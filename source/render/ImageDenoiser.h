@@ -14,31 +14,31 @@
 namespace ray {
 
 /// Filters the region of a film that has both parts. Guides are refined in proportion to the samples.
-DenoisedPicture DenoiseFilm(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
-                            const Film& film);
+DenoisedImage DenoiseFilm(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
+                          const Film& film);
 
-/// Denoises the image of one render: once it is complete, and before, if the error that the filters leave decides when
-/// that is. The image is the same, bit for bit, however often the denoiser looked at the film before.
+/// Denoises the image of a render when it is complete, and also before, if the error after filtering decides when it
+/// is. The image is the same, bit for bit, for any number of looks at the film before.
 class ImageDenoiser {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive it.
   ImageDenoiser(const World& world, const Accelerator& accelerator, const RenderSettings& settings,
                 const ErrorMeasure& measure, const RenderMonitor& monitor);
   ~ImageDenoiser();
 
-  /// Returns the error that the filters leave of the image so far, with guides refined in proportion to the samples.
-  /// Returns nothing if the film lacks a part, the filters fail or the monitor asks to stop. Shows no progress.
+  /// Returns the error after filtering of the image so far, with guides refined in proportion to the samples. Returns
+  /// std::nullopt if the film lacks a part, the filters fail or the monitor requests a stop. Shows no progress.
   std::optional<MeasuredError> ErrorLeft(const Film& film, const UnseenLight& unseen);
-  /// True if the monitor ended a look, whose error is then unknown.
+  /// True if the monitor ended a look, so that its error is unknown.
   bool WasStopped() const { return was_stopped_; }
-  /// True if a library failed: the image will not be denoised.
+  /// True if a library failed, so that the image will not be denoised.
   bool HasFailed() const { return !failure_.empty(); }
 
-  /// Denoises the image of a complete render. It is that of the last look if the film is the same. Otherwise guides are
-  /// refined in proportion to the samples, by as many rays as there is time for until `end_of_guides`, or as a replay
-  /// says. Reports its progress.
-  /// If a library fails, the image stays as it is, and the result says why. If the monitor asks to stop, it stays too,
-  /// and the render is no longer complete.
+  /// Denoises the image of a complete render. If the film is that of the last look, the image is that look's. Otherwise
+  /// guides are refined in proportion to the samples, by as many rays as there is time for until `end_of_guides`, or as
+  /// in the replayed render. Reports its progress.
+  /// If a library fails, the image is unchanged and the result contains the reason. If the monitor requests a stop, the
+  /// image is unchanged as well, and the render is no longer complete.
   void Finish(const Film& film, std::optional<std::chrono::steady_clock::time_point> end_of_guides,
               RenderResult& result);
 

@@ -2,7 +2,7 @@
 
 namespace ray {
 
-/// One of `of` parts of an image that many machines render together. Each block of the film belongs to one part, see
+/// One of `of` parts of an image that several machines render together. Each block of the film belongs to one part, see
 /// PartsOfBlocks.
 struct ImagePart {
   int index = 1, of = 1;  // 1-based, index <= of

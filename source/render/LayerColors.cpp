@@ -21,7 +21,7 @@ R2::Image ShownDepth(const R2::Image& image) {
     if (d > 0) nearest = std::min<double>(nearest, d), farthest = std::max<double>(farthest, d);
   return Changed(image, [&](const R2::Color& c) {
     if (!(c.r > 0)) return R2::Color{};
-    constexpr double dimmest = 0.1;  // the farthest, so that it differs from nothing at all
+    constexpr double dimmest = 0.1;  // of the farthest surface, so that it differs from the background
     const double share = farthest > nearest ? (c.r - nearest) / (farthest - nearest) : 0;
     const double shown = 1 - (1 - dimmest) * share;
     return R2::Color{shown, shown, shown};

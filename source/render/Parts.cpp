@@ -8,7 +8,7 @@
 namespace ray {
 namespace {
 
-/// A block's place in the lattice, as a fraction of 2^32.
+/// Returns a block's place in the lattice, as a fraction of 2^32.
 std::uint32_t PlaceInLattice(int block, int columns) {
   // 1 / g and 1 / g^2, where g^3 = g + 1.
   constexpr std::uint32_t step_of_column = 3'242'174'889u, step_of_row = 2'447'445'414u;
@@ -26,7 +26,7 @@ bool IsAtTarget(const RenderState& round, std::size_t block, bool has_two_stream
 
 bool Agree(const Film::Block& a, const Film::Block& b) {
   for (int part = 0; part < Film::parts; ++part)
-    if (a.samples[part] != b.samples[part]) return true;  // one got further; its sums are of other samples
+    if (a.samples[part] != b.samples[part]) return true;  // of other samples: one progressed further
   for (int part = 0; part < Film::parts; ++part)
     if (!AreEqual(a.sums[part].Sums(), b.sums[part].Sums())) return false;
   return true;
@@ -57,7 +57,7 @@ RenderState FirstRound(const RenderSettings& settings, const Film& film) {
 bool IsOfOneRound(const RenderSettings& settings, const Film& film) {
   Schedule schedule(settings, {film.Columns(), film.AreasInRegion()}, false);
   schedule.SkipToRound();
-  return !schedule.NeedsWholePicture();
+  return !schedule.NeedsWholeImage();
 }
 
 void CheckPart(const RenderState& state, int part, std::span<const int> parts) {

@@ -24,7 +24,7 @@ void PassHistory::Resume(std::vector<Pass> passes, BlockErrors differences) {
 
 std::optional<MeasuredError> PassHistory::Note(const Schedule& schedule, double samples, double seconds,
                                                const UnseenLight& unseen) {
-  // A pass that was over when it was kept is noted already, and what came before it is not known any more.
+  // A pass that was complete when the state was saved is already noted. Earlier passes are unknown.
   const std::uint32_t end = schedule.State().end;
   const bool is_noted = !passes_.empty() && passes_.back().end == end && passes_.back().samples == samples;
   const bool measures = (schedule.LooksAtError() || settings_.wants_passes) && !ShowsCosts(settings_.mode);
@@ -33,11 +33,11 @@ std::optional<MeasuredError> PassHistory::Note(const Schedule& schedule, double 
   if (look_at_denoised_) look = noisy && schedule.LooksAtError() ? look_at_denoised_(*noisy, unseen) : Look{};
   if (look.was_stopped) return {};
   if (noisy && look_at_denoised_) noisy_ = noisy->estimate;
-  // First looks are no passes that anybody counts, nor are those of a render that has nothing to decide.
+  // First looks do not count as passes, nor do the passes of a render without decisions.
   if (!passes_.empty() && !is_noted && (!are_counted_ || passes_.back().end == 0)) passes_.pop_back();
   if (is_noted) return look.error;
   passes_.push_back({end, samples, seconds, {}});
-  // Errors that a report alone asks for must not bear on those that decide, nor on what is claimed.
+  // Errors that only a report requires must not affect those that decide, nor the final estimate.
   if (noisy && schedule.LooksAtError()) differences_ = noisy->differences;
   if (look.error) passes_.back().error = look.error->estimate;
   return look.error;
@@ -48,7 +48,7 @@ std::optional<ErrorForecast> PassHistory::Forecast() const {
 }
 
 std::optional<ErrorEstimate> PassHistory::Finish(bool have_come, const UnseenLight& unseen) {
-  // The error of costs is not known: they are what is summed, not the colors shown.
+  // The error of costs is unknown: costs are summed, not the displayed colors.
   if (ShowsCosts(settings_.mode)) return {};
   const auto& last = look_at_denoised_ ? noisy_ : passes_.empty() ? std::nullopt : passes_.back().error;
   if (!have_come && last) return last;

@@ -10,41 +10,41 @@
 
 namespace ray {
 
-/// The measure in which the settings ask for errors.
+/// Returns the measure of errors that the settings select.
 ErrorMeasure MeasureFor(const RenderSettings& settings);
 
-/// The passes of a render that are over, and the errors that were measured after them.
+/// The completed passes of a render, and the errors that were measured after them.
 class PassHistory {
  public:
-  /// A look at the denoised image: its error, or none if that was not measured.
+  /// The result of a look at the denoised image: its error, unless that was not measured.
   struct Look {
     std::optional<MeasuredError> error;
-    bool was_stopped = false;  // with the render
+    bool was_stopped = false;  // the render was stopped meanwhile
   };
-  /// `noisy`: the error before the filters.
+  /// A function that looks at the denoised image. `noisy`: the error before the filters.
   using LookAtDenoised = std::function<Look(const MeasuredError& noisy, const UnseenLight& unseen)>;
 
-  /// `is_watched`: someone sees the image after each pass. `look`: where the error of the denoised image decides, else
-  /// empty; then passes have that error. The first two must outlive this.
+  /// `is_watched`: the image is shown after each pass. `look`: empty unless the error of the denoised image decides;
+  /// then passes have that error. The first two arguments must outlive this.
   PassHistory(const RenderSettings& settings, const Film& film, bool is_watched, const ErrorMeasure& measure,
               LookAtDenoised look = {});
 
   const std::vector<Pass>& Passes() const { return passes_; }
-  /// Errors of blocks after the last pass that was measured.
+  /// The errors of blocks after the last measured pass.
   const BlockErrors& Differences() const { return differences_; }
 
   void Resume(std::vector<Pass> passes, BlockErrors differences);
 
-  /// Notes that the pass is over which the schedule chose, and measures its error where something depends on it. A pass
-  /// whose look at the denoised image was stopped is not over.
+  /// Notes the completed pass that the schedule chose, and measures its error if something depends on it. A pass whose
+  /// look at the denoised image was stopped is not complete.
   ///   samples   per pixel, on average
   ///   seconds   since the render began
   std::optional<MeasuredError> Note(const Schedule& schedule, double samples, double seconds,
                                     const UnseenLight& unseen);
-  /// Forecasts when the error asked for is reached; nothing where none is asked for or none was measured.
+  /// Predicts when the error target will be reached; std::nullopt without a target or a measurement.
   std::optional<ErrorForecast> Forecast() const;
 
-  /// Ends the history, and returns the error of the film, not denoised: that of the last pass, unless samples
+  /// Ends the history, and returns the error of the film without denoising: that of the last pass, unless samples
   /// `have_come` since.
   std::optional<ErrorEstimate> Finish(bool have_come, const UnseenLight& unseen);
 
@@ -59,7 +59,7 @@ class PassHistory {
   std::vector<Pass> passes_;
   BlockErrors differences_;
   std::optional<ErrorEstimate>
-      noisy_;  // the error of the film after the last pass, where passes have that of the denoised
+      noisy_;  // error of the film after the last pass, if passes have that of the denoised image
 };
 
 }  // namespace ray

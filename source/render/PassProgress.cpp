@@ -38,7 +38,7 @@ RenderProgress PassProgress::Of(std::int64_t pixels, double seconds, std::uint64
     total = area * (settings_.budget.error ? std::max(samples_after_, samples_expected_) : settings_.samples);
     done = area * std::lerp(samples_before_, samples_after_, share);
   }
-  constexpr double most = 1e18;  // what 64 bits hold
+  constexpr double most = 1e18;  // fits into 64 bits
   total = std::clamp(total, 1.0, most);
   return {static_cast<std::int64_t>(std::min(done, total)), static_cast<std::int64_t>(total), rays};
 }

@@ -10,17 +10,16 @@
 namespace ray {
 namespace {
 
-constexpr int least_looks = 512;            // at blocks, before a pause
-constexpr std::uint32_t most_at_once = 64;  // samples per pixel between two states of a block that can be kept
+constexpr int least_looks = 512;            // number of blocks looked at before a pause
+constexpr std::uint32_t most_at_once = 64;  // samples per pixel between two states of a block that can be saved
 
-/// Where the step ends that begins with `done` samples. It depends on nothing else, so that a block is added up in the
-/// same order whether it got to its target in one pass or in several.
+/// Returns the end of the step that begins with `done` samples. It depends on nothing else, so that a block is added up
+/// in the same order whether it reached its target in one pass or in several.
 std::uint32_t StepEnd(std::uint32_t done) {
   return done < most_at_once ? std::bit_ceil(done + 1) : (done / most_at_once + 1) * most_at_once;
 }
 
-/// With one stream the second part of a block holds what came since the last power of two, so that both are about as
-/// large.
+/// Balances the parts of a block with one stream: the second part contains the samples since the last power of two.
 void MergeParts(Film::Block& block) {
   block.sums[0] += block.sums[1];
   block.samples[0] += block.samples[1];
@@ -44,7 +43,7 @@ bool PassRunner::IsAtTarget(int block) const {
 PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock::time_point> pause_at) {
   targets_ = &targets;
   pause_at_ = pause_at;
-  progress_ = tiles_begun_ = 0;
+  progress_ = tiles_started_ = 0;
   least_progress_ = targets.places.empty() ? 1 : least_looks;
   pixels_done_ = 0;
   std::vector<int> done;
@@ -56,14 +55,14 @@ PassRunner::End PassRunner::Run(const PassTargets& targets, std::optional<Clock:
   return IsStopped() ? End::stopped : End::paused;
 }
 
-/// The tile to be done when the i-th of them is begun. What is done of first looks when they are broken off is to show
-/// all of the picture, whichever thread came when; who wants rows is to get one after another.
+/// Returns the tile to render when the i-th one begins. First looks are spread over the whole image, so that an
+/// interrupted pass shows all of it, whichever thread came first; listeners for rows get them in order.
 int PassRunner::NextTile(int i) {
-  if (!targets_->places.empty()) return tiles_.Spread(tiles_begun_++);
-  return work_.blocks_done ? tiles_begun_++ : i;
+  if (!targets_->places.empty()) return tiles_.Spread(tiles_started_++);
+  return work_.blocks_done ? tiles_started_++ : i;
 }
 
-// Rays that take milliseconds must not keep a render that is to be over: after half a second any progress is enough.
+// Rays that take milliseconds must not delay the end of a render: after half a second any progress suffices.
 std::optional<PassRunner::Clock::time_point> PassRunner::Deadline() const {
   constexpr auto patience = std::chrono::milliseconds(500);
   if (!pause_at_ || progress_ == 0) return {};
@@ -87,15 +86,15 @@ void PassRunner::RunTile(int i) {
   const std::lock_guard lock(mutex_);
   rays_ += state.rays;
   pixels_done_ += pixels;
-  // A callback may make an image on many threads. While this thread waits for them, it must not begin another tile,
-  // which would wait for the lock that it holds.
+  // A callback may compute an image on many threads. While this thread waits for them, it must not start another tile,
+  // which would wait for the lock that this thread holds.
   tbb::this_task_arena::isolate([&] {
     if (work_.blocks_done && !done.empty()) work_.blocks_done(done);
     if (work_.tile_done) work_.tile_done(pixels_done_, rays_);
   });
 }
 
-/// Takes a block to its target, in steps after which it can be kept. Whether it got there.
+/// Takes a block to its target, in steps after which it can be saved. Returns true if it reached the target.
 bool PassRunner::Advance(int block, Worker& worker) {
   TraceState& state = worker.state;
   state.workspace.ForgetLastHits();
@@ -125,7 +124,7 @@ bool PassRunner::Advance(int block, Worker& worker) {
   return true;
 }
 
-/// Takes a block within its first sample to its target. Whether it got there.
+/// Takes a block within its first sample to its target. Returns true if it reached the target.
 bool PassRunner::Look(int block, Worker& worker) {
   TraceState& state = worker.state;
   state.workspace.ForgetLastHits();

@@ -18,23 +18,24 @@
 
 namespace ray {
 
-/// What passes take samples of, and whom they tell; all must outlive them.
+/// The inputs and listeners of passes. All must outlive them.
 struct PassWork {
   const SampleSource& source;
   Film& film;
   bool has_two_streams = false;
   int threads = 0, tile_size = 0;           // as in RenderSettings
-  const std::atomic<bool>* stop = nullptr;  // looked at before each few rays; may be null
-  /// Told after each tile, by one thread at a time: pixels at their targets, and rays of all passes. May be empty.
+  const std::atomic<bool>* stop = nullptr;  // checked before every few rays; may be null
+  /// Called after each tile, by one thread at a time, with the pixels at their targets and the rays of all passes. May
+  /// be empty.
   std::function<void(std::int64_t pixels, const RayCounts& rays)> tile_done;
-  std::vector<bool> left_alone{};  // blocks of other parts; empty where all are rendered
-  /// Told of blocks that are at their targets, each once in a Run, by one thread at a time. May be empty; else they are
-  /// begun in rows from the bottom.
+  std::vector<bool> left_alone{};  // blocks of other parts; empty if all are rendered
+  /// Called with the blocks that reached their targets, each once in a Run, by one thread at a time. May be empty;
+  /// otherwise blocks begin in rows from the bottom.
   std::function<void(std::span<const int> blocks)> blocks_done{};
 };
 
-/// Takes the samples that the blocks of a film are due, in tiles shared out to threads. The film is the same, bit for
-/// bit, for any thread count and tile size, and however often a pass is broken off and run again.
+/// Takes the samples that the blocks of a film are due, in tiles distributed to threads. The film is the same, bit for
+/// bit, for any thread count and tile size, and however often a pass is interrupted and resumed.
 class PassRunner {
  public:
   using Clock = std::chrono::steady_clock;
@@ -42,26 +43,26 @@ class PassRunner {
 
   explicit PassRunner(const PassWork& work);
 
-  /// Takes samples until each block has its target. Leaves off at once when asked to stop, or at `pause_at` when it has
-  /// got on at all, by enough first looks for a picture; either way the film is left so that it can be kept and gone on
-  /// with.
+  /// Takes samples until each block has its target. Returns at once after a stop request, or at `pause_at` if there is
+  /// any progress, and enough first looks for an image. In both cases the film can be saved and resumed.
   End Run(const PassTargets& targets, std::optional<Clock::time_point> pause_at);
 
-  /// Whether samples up to this number are added up alike however many more were planned, whatever the filter.
+  /// Returns true if samples up to this number are added up in the same way for any larger number of planned samples
+  /// and any filter.
   static bool IsStepEnd(std::uint32_t samples);
 
-  /// Rays of all passes whose samples the film has, so that a render which was broken off counts as many in the end
-  /// as one that was not.
+  /// The rays of all passes whose samples the film contains, so that an interrupted render counts the same rays as an
+  /// uninterrupted one.
   const RayCounts& Rays() const { return rays_; }
   bool IsLeftAlone(int block) const {
     return !work_.left_alone.empty() && work_.left_alone[static_cast<std::size_t>(block)];
   }
-  /// Counts rays that were traced before a break.
+  /// Adds the rays that were traced before an interruption.
   void AddRays(const RayCounts& rays) { rays_ += rays; }
 
  private:
   bool IsStopped() const { return work_.stop && work_.stop->load(std::memory_order_relaxed); }
-  /// The time at which tracing ends; none until there is something to show.
+  /// Returns the time at which tracing ends; std::nullopt until there is an image to show.
   std::optional<Clock::time_point> Deadline() const;
   bool IsPauseDue() const {
     const auto deadline = Deadline();
@@ -72,7 +73,7 @@ class PassRunner {
   bool IsAtTarget(int block) const;
   bool IsDone(int block) const { return IsLeftAlone(block) || IsAtTarget(block); }
   void RunTile(int i);
-  /// What one thread keeps between blocks.
+  /// The working memory of a thread, kept between blocks.
   struct Worker {
     TraceState state;
     SampleBatch batch;
@@ -86,10 +87,10 @@ class PassRunner {
   const int threads_;
   const PassTargets* targets_ = nullptr;
   std::optional<Clock::time_point> pause_at_;
-  // Since Run began, and before it may pause: steps of blocks.
+  // Steps of blocks since Run began, and the number required before it may pause.
   std::atomic<int> progress_ = 0;
   int least_progress_ = 1;
-  std::atomic<int> tiles_begun_ = 0;  // since Run began
+  std::atomic<int> tiles_started_ = 0;  // since Run began
   tbb::enumerable_thread_specific<Worker> workers_;
   std::mutex mutex_;  // guards the counts below and tile_done; a block belongs to one tile and needs no guard
   std::int64_t pixels_done_ = 0;  // at their targets

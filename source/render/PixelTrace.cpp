@@ -11,7 +11,7 @@
 namespace ray {
 namespace {
 
-/// Numbers of a tree as text: with all that a reader compares, or with all that they have.
+/// The conversion of a tree's numbers to text: with the digits that a reader compares, or with all of them.
 struct NumberTexts {
   Digits digits;
 
@@ -27,7 +27,7 @@ struct NumberTexts {
   std::string operator()(const R2::Color& c) const { return (*this)(c.r, c.g, c.b); }
 };
 
-/// Writes the rays of one pixel, each below the one it came from.
+/// Writes the rays of one pixel, each below its parent.
 class TreeWriter {
  public:
   TreeWriter(const PixelTrace& trace, const World& world, std::size_t most_rays, Digits digits)
@@ -51,7 +51,7 @@ class TreeWriter {
   }
 
  private:
-  /// Writes the samples from number `i` on that have no recorded ray. Returns the number of the next one that has.
+  /// Writes the samples from number `i` on that have no recorded ray. Returns the number of the next sample with one.
   std::size_t WriteSamplesWithoutRay(std::size_t i) {
     for (; i < trace_.samples.size() && !trace_.samples[i].HasRay(); ++i) {
       const CameraSample& taken = trace_.samples[i];
@@ -69,7 +69,7 @@ class TreeWriter {
     text_ += "\n";
   }
 
-  /// Depth first, on a stack: trees may be as deep as mirrors facing each other make them.
+  /// Writes a tree depth first, with a stack: trees may be as deep as the reflections between facing mirrors.
   void WriteFrom(std::size_t root) {
     std::vector<std::pair<std::size_t, int>> open{{root, 1}};
     while (!open.empty()) {
@@ -98,7 +98,7 @@ class TreeWriter {
     text_ += margin + "  " + End(ray) + ", contributes " + text_of_(ray.contribution) + "\n";
   }
 
-  /// A light in full where it comes first, then its number.
+  /// Returns a light in full at its first mention, afterwards its number.
   std::string LightText(const std::string& light) {
     const auto known = std::ranges::find(lights_, light);
     const std::string name = "light " + std::to_string(known - lights_.begin() + 1);
@@ -127,7 +127,7 @@ class TreeWriter {
   NumberTexts text_of_;
   std::size_t left_, cut_ = 0;
   std::vector<std::vector<std::size_t>> children_;
-  std::vector<std::string> lights_;  // mentioned so far
+  std::vector<std::string> lights_;  // in the order of their first mention
   std::string text_;
 };
 
@@ -172,7 +172,7 @@ std::string RayTree(const PixelTrace& trace, const World& world, const RenderSet
          ": " + NumberTexts{digits}(trace.Mean()) +
          (ShowsCosts(settings.mode) ? ", a cost of rays that contribute light" : "") +
          (trace.samples.size() > 1 ? ", the mean of " + std::to_string(trace.samples.size()) + " samples" : "") +
-         (is_left_out ? ", left out by -samples: the image shows what pixels around it see" : "") + "\n" +
+         (is_left_out ? ", skipped by -samples: the image interpolates the pixels around it" : "") + "\n" +
          (world.scene().is_mirrored ? "in the right-handed world of raypro: each z is the negative of the file's\n"
                                     : "") +
          TreeWriter(trace, world, most_rays, digits).Write();

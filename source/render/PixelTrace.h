@@ -10,27 +10,27 @@
 
 namespace ray {
 
-/// The rays behind a pixel.
+/// The rays that contribute to a pixel.
 struct PixelTrace {
   int column = 0, row = 0;        // from the left, and from the bottom
   std::vector<RecordedRay> rays;  // of all its samples; parents before children
   std::vector<CameraSample> samples;
-  std::vector<R2::Color> radiances;  // what each sample saw
-  bool clamps_samples = false;       // before they count, see Clamp
+  std::vector<R2::Color> radiances;  // result of each sample
+  bool clamps_samples = false;       // before averaging, see Clamp
 
-  /// What sample number `i` counts as.
+  /// Returns the value with which sample number `i` counts.
   R2::Color Counted(std::size_t i) const { return clamps_samples ? Clamped(radiances[i]) : radiances[i]; }
   R2::Color Mean() const;
 };
 
-/// Traces pixels while keeping their rays: by the same integrator, from the same random choices as Render does, so
-/// these are the rays of the picture.
+/// Traces pixels and records their rays. Uses the integrator and the random choices of Render, so these are the rays of
+/// the image.
 class PixelTracer {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive it.
   PixelTracer(const World& world, const Accelerator& accelerator, const RenderSettings& settings);
 
-  /// The first `samples` samples of a pixel of the whole picture; where it has two streams, of each in turn.
+  /// Traces the first `samples` samples of a pixel of the whole image; with two streams, alternating between them.
   PixelTrace Trace(int column, int row, int samples) const;
 
  private:
@@ -41,18 +41,18 @@ class PixelTracer {
   CameraRays camera_;
 };
 
-/// How numbers are written: with five digits, or so that they read back as the same to the bit.
+/// The format of numbers: five digits, or as many as reproduce them exactly.
 enum class Digits { five, all };
 
 inline constexpr std::size_t most_rays_of_tree = 1000;
 
-/// The tree of a pixel's rays in lines of text: kind, origin, direction, where each ends and on what, its
-/// throughput and what it contributes. At most `most_rays` of them, then a count of the rest.
+/// Returns the tree of a pixel's rays as lines of text: kind, origin, direction, the end of each and the surface there,
+/// its throughput and its contribution. Shows at most `most_rays` rays, then the number of the rest.
 std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings,
                     std::size_t most_rays = most_rays_of_tree, Digits digits = Digits::five);
 
-/// Describes all samples of one pixel to the user. If an error or a time ends the render, these are the most it may
-/// take.
+/// Describes all samples of one pixel to the user. If an error or a time limit ends the render, these are the most that
+/// it may take.
 std::string DebugPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
                        int row, Digits digits = Digits::five);
 

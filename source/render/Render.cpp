@@ -18,7 +18,7 @@
 namespace ray {
 namespace {
 
-/// The blocks of other parts; empty where the whole image is rendered.
+/// Returns the blocks of other parts; empty if the whole image is rendered.
 std::vector<bool> BlocksOfOthers(const RenderSettings& settings, const Film& film) {
   std::vector<bool> others;
   if (!settings.part) return others;
@@ -26,19 +26,19 @@ std::vector<bool> BlocksOfOthers(const RenderSettings& settings, const Film& fil
   return others;
 }
 
-/// Contrasts of neighboring pixels, of each block, as displayed.
+/// Returns the contrasts of neighboring pixels for each block, as displayed.
 std::vector<double> Contrasts(const Film& film, const RenderSettings& settings) {
   const ErrorMeasure measure = MeasureFor(settings);
   return film.HasSurroundings() ? NeighborContrasts(film.WithSurroundings(), measure)
                                 : NeighborContrasts(film, measure);
 }
 
-/// The light that samples may have missed, as far as no camera path has found a caustic.
+/// Returns the light that samples may have missed, unless a camera path has found a caustic.
 UnseenLight UnseenBy(const RayCounts& rays, const Film& film, const Caustics& caustics) {
   return rays.caustics > 0 ? UnseenLight{} : UnseenLight{caustics.most, SamplesTaken(film)};
 }
 
-/// Fills in what the film says: the image, and where it has samples.
+/// Copies the image and its sample counts from the film.
 void TakeFilm(const Film& film, const RayCounts& rays, const RenderSettings& settings, RenderResult& result) {
   result.rays = rays;
   if (const double samples = SamplesTaken(film); samples > 0)
@@ -55,11 +55,11 @@ void TakeFilm(const Film& film, const RayCounts& rays, const RenderSettings& set
   }
 }
 
-/// Returns true if filters could bring a squared error so many times below the target. An error that is too large for
-/// that is not worth a look.
-bool MayDoDenoised(const MeasuredError& noisy, const ErrorTarget& target, double caution) {
-  // Of 15 scenes at 16 samples (script/denoise_table.sh) regression leaves at least .2 of the error, a library .14; the
-  // more noise there is, the less they leave.
+/// Returns true if filters could bring a squared error below the target, divided by `caution`. A larger error is not
+/// worth a look.
+bool MayReachTargetDenoised(const MeasuredError& noisy, const ErrorTarget& target, double caution) {
+  // For 15 scenes at 16 samples (script/denoise_table.sh) regression leaves at least 0.2 of the error, a library 0.14;
+  // with more noise they leave less.
   constexpr double least_left = 0.125;
   return caution * least_left * least_left * noisy.square <=
          SquaredTarget(target.value, {.unit = target.unit}, noisy.mean);
@@ -70,9 +70,10 @@ class Job {
  public:
   using Clock = TimeBudget::Clock;
 
+  /// Prepares a render.
   ///   start      when the render began, by the clock that budgets count
-  ///   denoiser   for an image that is to be denoised, else null
-  ///   forecast   for an image that is to be denoised in time, else null
+  ///   denoiser   for an image that is to be denoised, otherwise null
+  ///   forecast   for an image that is to be denoised within a time limit, otherwise null
   Job(const World& world, const Integrator& integrator, const RenderSettings& settings, const RenderMonitor& monitor,
       Clock::time_point start, ImageDenoiser* denoiser = nullptr, DenoiseForecast* forecast = nullptr)
       : settings_(settings),
@@ -116,7 +117,7 @@ class Job {
     return Result(*stop);
   }
 
-  /// See RenderPart.
+  /// Implements ray::RenderPart.
   bool RunPart() {
     Resume(monitor_.resume(film_));
     const PassRunner::End end = RunPass();
@@ -124,7 +125,7 @@ class Job {
     return end == PassRunner::End::complete;
   }
 
-  /// See NextRound.
+  /// Implements ray::NextRound.
   std::optional<RenderState> NextRound(RenderState&& state) {
     Resume(std::move(state));
     const auto& passes = history_.Passes();
@@ -139,7 +140,7 @@ class Job {
   const Film& film() const { return film_; }
   const TimeBudget& time() const { return time_; }
 
-  /// A copy, for keeping.
+  /// Returns a copy of the state, for saving.
   RenderState State() const {
     RenderState state{{},  schedule_.State(), history_.Passes(), runner_.Rays(), PlannedSamples(settings_),
                       history_.Differences()};
@@ -153,13 +154,14 @@ class Job {
     return [this](std::span<const int> blocks) { monitor_.blocks_done(film_, blocks); };
   }
 
-  /// Looks at the denoised image, if its error decides when the render ends. An image that will not be denoised has the
-  /// error that it has.
+  /// Returns a function that measures the error of the denoised image, if that error decides when the render ends;
+  /// otherwise an empty one. If the image will not be denoised, the function returns the error of the film.
   PassHistory::LookAtDenoised ErrorLeft() {
     if (!denoiser_ || !settings_.budget.error || settings_.replay) return {};
     return [this](const MeasuredError& noisy, const UnseenLight& unseen) -> PassHistory::Look {
       if (denoiser_->HasFailed() || !time_.HasTimeToDenoise()) return {noisy};
-      if (!MayDoDenoised(noisy, *settings_.budget.error, schedule_.Caution()) || !time_.HasTimeToLook()) return {};
+      if (!MayReachTargetDenoised(noisy, *settings_.budget.error, schedule_.Caution()) || !time_.HasTimeToLook())
+        return {};
       return {denoiser_->ErrorLeft(film_, unseen), denoiser_->WasStopped()};
     };
   }
@@ -172,7 +174,7 @@ class Job {
     rays_before_ = state.rays.Total();
   }
 
-  /// Runs the pass that the schedule chose, with pauses to keep the state. It ends `paused` where the time is over.
+  /// Runs the pass that the schedule chose, with pauses to save the state. It returns `paused` if the time is over.
   PassRunner::End RunPass() {
     const PassTargets& targets = schedule_.State().targets;
     progress_.Begin(targets);
@@ -189,7 +191,7 @@ class Job {
     }
   }
 
-  /// Notes the pass that is over, and what the schedule must know of it.
+  /// Notes the completed pass, and returns the data that the schedule needs about it.
   PassOutcome EndPass() {
     const double samples = CountSamples(film_).mean;
     PassOutcome pass;
@@ -240,10 +242,10 @@ class Job {
   struct {
     double seconds = 0, samples = 0;  // per pixel, on average
   } pass_begin_;
-  std::uint64_t rays_before_ = 0;  // of the state that the render went on from
+  std::uint64_t rays_before_ = 0;  // of the state from which the render resumed
 };
 
-/// The forecast for an image that is to be denoised within a time limit; else nothing.
+/// Returns the forecast for an image that is to be denoised within a time limit, otherwise std::nullopt.
 std::optional<DenoiseForecast> DenoiseForecastOf(const World& world, const Accelerator& accelerator,
                                                  const RenderSettings& settings) {
   if (!settings.denoise || settings.budget.seconds == 0) return {};
@@ -276,7 +278,7 @@ RenderResult RenderWithoutFlare(const World& world, const Accelerator& accelerat
 }  // namespace
 
 R2::Image ImageOf(const Film& film, const RenderSettings& settings) {
-  R2::Image image = film.Picture(settings.quantization);
+  R2::Image image = film.Image(settings.quantization);
   if (!ShowsCosts(settings.mode)) return image;
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) image.Set(x, y, HeatColor(image.At(x, y).r));

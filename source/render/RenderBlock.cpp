@@ -10,7 +10,7 @@ namespace {
 
 std::size_t PlaceOf(int column, int row) { return static_cast<std::size_t>(BlockOrder::PlaceOf(column, row)); }
 
-/// Traces first samples, of one batch at most, and keeps them by the places of their pixels.
+/// Traces at most one batch of first samples, and stores them by the places of their pixels.
 bool TraceLooks(const SampleSource& source, TraceState& state, SampleBatch& batch, std::span<R2::Color> looks) {
   static_assert(BlockOrder::places <= R1::batch_size);
   if (!Trace(source, state, batch)) return false;
@@ -25,7 +25,7 @@ void ForPixels(const PixelRectangle& pixels, const Function& function) {
     for (int column = pixels.x0; column < pixels.x1; ++column) function(column, row);
 }
 
-/// Samples of which some are known already, added in the order of all others.
+/// Adds samples of which some are known, in the usual order.
 bool RenderAroundFirstSamples(const SampleSource& source, const SamplesDue& due, const Filter& filter,
                               TraceState& state, SampleBatch& batch, BlockSums& sums) {
   assert(due.stream == 0 && due.first == 0 && due.last == 1);
@@ -34,11 +34,11 @@ bool RenderAroundFirstSamples(const SampleSource& source, const SamplesDue& due,
   batch.Clear();
   ForPixels(due.pixels, [&](int column, int row) {
     if (PlaceOf(column, row) < due.first_samples.size()) return;
-    const PixelSample sample = source.FirstSample(column, row);  // named, since push_back is inlined then
+    const PixelSample sample = source.FirstSample(column, row);  // named, so that push_back is inlined
     batch.due.push_back(sample);
   });
   if (!TraceLooks(source, state, batch, all)) return false;
-  if (filter.IsBox()) {  // to which it makes no difference where a sample is in its pixel
+  if (filter.IsBox()) {  // whose weights are independent of the place in the pixel
     ForPixels(due.pixels,
               [&](int column, int row) { sums.Add(column, row, column, row, all[PlaceOf(column, row)], filter); });
     return true;
@@ -109,7 +109,7 @@ bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter
     for (int column = due.pixels.x0; column < due.pixels.x1; ++column) {
       const RandomKey key = source.PixelKey(column, row, due.stream);
       for (std::uint32_t index = due.first; index < due.last; ++index) {
-        const PixelSample sample{column, row, key, index};  // named, since push_back is inlined then
+        const PixelSample sample{column, row, key, index};  // named, so that push_back is inlined
         batch.due.push_back(sample);
         if (batch.due.size() == R1::batch_size && !add_batch()) return false;
       }

@@ -15,7 +15,7 @@ Camera CameraOf(const World& world, const RenderSettings& settings) {
 
 namespace {
 
-/// The distances of the nearest and the farthest surface seen through the centers of the whole image's pixels.
+/// Returns the distances of the nearest and the farthest surface seen through the centers of the whole image's pixels.
 ZBufferRange RangeOfImage(const World& world, const Accelerator& accelerator, const RenderSettings& settings) {
   const Camera camera = CameraOf(world, settings);
   const auto range_of_row = [&](int row, ZBufferRange so_far) {
@@ -50,8 +50,8 @@ std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Acceler
   trace.outline.right = 2 * camera.HalfWidth() / settings.width * camera.right;
   trace.outline.up = 2 * camera.HalfHeight(settings.width, settings.height) / settings.height * camera.up;
   trace.outline.camera = camera;
-  trace.outline.picture_width = settings.width, trace.outline.picture_height = settings.height;
-  if (settings.mode == RenderMode::zbuffer && trace.zbuffer.IsOfPicture())
+  trace.outline.image_width = settings.width, trace.outline.image_height = settings.height;
+  if (settings.mode == RenderMode::zbuffer && trace.zbuffer.IsOfImage())
     trace.zbuffer = RangeOfImage(world, accelerator, settings);
   return MakeIntegrator(settings.mode, world, accelerator, trace);
 }

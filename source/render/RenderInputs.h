@@ -11,20 +11,20 @@
 
 namespace ray {
 
-// The inputs of Render, for callers that take samples in another order. None but the film depends on which part of the
-// image is wanted.
+// The inputs of Render, for callers that take samples in another order. None except the film depends on the requested
+// part of the image.
 
-/// The camera of the settings, by default the scene's.
+/// Returns the camera of the settings, by default the scene's.
 Camera CameraOf(const World& world, const RenderSettings& settings);
 std::unique_ptr<const Integrator> IntegratorOf(const World& world, const Accelerator& accelerator,
                                                const RenderSettings& settings);
 TraceSettings TraceSettingsOf(const RenderSettings& settings);
 CameraRays CameraRaysOf(const World& world, const RenderSettings& settings);
-/// Camera rays that are laid out for another number of samples per pixel than the settings plan.
+/// Returns camera rays that are laid out for another number of samples per pixel than the settings plan.
 CameraRays CameraRaysOf(const World& world, const RenderSettings& settings, std::uint32_t samples);
 Film EmptyFilmOf(const RenderSettings& settings);
 
-/// About how many rays a render, or the part of it that settings.part names, will trace: what is known before it.
+/// Estimates the number of rays of a render, or of the part of it that settings.part names, before it begins.
 double ExpectedRays(const RenderSettings& settings);
 
 }  // namespace ray

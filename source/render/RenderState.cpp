@@ -36,7 +36,7 @@ class Writer {
     const auto* first = reinterpret_cast<const unsigned char*>(values.data());
     bytes_.insert(bytes_.end(), first, first + values.size() * sizeof(T));
   }
-  /// Writes the values of all blocks, or that there are none.
+  /// Writes the values of all blocks, or a flag that there are none.
   template <typename T>
   void PutIfAny(const std::vector<T>& values) {
     Put(!values.empty());
@@ -61,7 +61,7 @@ class Reader {
     std::memcpy(&value, taken.data(), sizeof(T));
     return value;
   }
-  /// Exactly as many as there are places in `values`.
+  /// Reads exactly as many values as `values` has elements.
   template <typename T>
   void TakeAll(std::vector<T>& values) {
     if (Take<std::uint64_t>() != values.size()) throw CheckpointError("it belongs to an image of a different size");
@@ -69,7 +69,7 @@ class Reader {
     std::ranges::copy(taken,
                       reinterpret_cast<unsigned char*>(values.data()));  // memcpy takes no null, even for nothing
   }
-  /// What PutIfAny has put.
+  /// Reads the values that PutIfAny has written.
   template <typename T>
   void TakeIfAny(std::vector<T>& values, int blocks) {
     if (Take<char>() == 0) return;
@@ -93,7 +93,7 @@ class Reader {
   std::span<const unsigned char> rest_;
 };
 
-/// The first line in which the two differ, as the first has it: "-seed 0", or "-fresnel " for an option not given.
+/// Returns the first line in which the two differ, as the first has it: "-seed 0", or "-fresnel " for a missing option.
 std::string FirstDifference(std::string_view a, std::string_view b) {
   while (!a.empty()) {
     const std::string_view line_a = a.substr(0, a.find('\n')), line_b = b.substr(0, b.find('\n'));
@@ -104,7 +104,7 @@ std::string FirstDifference(std::string_view a, std::string_view b) {
   return {};
 }
 
-/// Field by field: between some of them there are bytes that nobody sets.
+/// Writes an estimate field by field, since padding between fields is uninitialized.
 void PutError(Writer& writer, const ErrorEstimate& error) {
   ErrorEstimate::ForEachField(error, [&](const auto& field) { writer.Put(field); });
 }
@@ -171,7 +171,7 @@ Film::Block TakeBlock(Reader& reader, const BlockSums& empty) {
   return block;
 }
 
-/// What is between the first line of a checkpoint and its checksum, once these are what they should be.
+/// Returns the bytes between the first line of a checkpoint and its checksum, after checking both.
 std::span<const unsigned char> CheckedBody(std::span<const unsigned char> bytes) {
   if (bytes.size() < magic.size() || !std::equal(magic.begin(), magic.end(), bytes.begin()))
     throw OtherImageError("it is not a checkpoint of this version");
@@ -191,7 +191,7 @@ bool AreSquares(const std::vector<double>& squares) {
   return std::ranges::all_of(squares, [](double square) { return square >= 0; });
 }
 
-/// Blocks are due samples, or within their first one looks at places.
+/// Checks that blocks are due samples, or places within their first sample.
 void CheckSchedule(const ScheduleState& schedule, std::uint32_t most) {
   const PassTargets& targets = schedule.targets;
   const auto is_due = [&](std::uint32_t samples) {
@@ -199,20 +199,21 @@ void CheckSchedule(const ScheduleState& schedule, std::uint32_t most) {
   };
   Require(schedule.end <= most && schedule.end == std::ranges::max(targets.samples) &&
               std::ranges::all_of(targets.samples, is_due),
-          "samples due beyond its settings");
+          "more samples due than its settings allow");
   Require(std::ranges::all_of(targets.places, [](int places) { return places <= BlockOrder::places; }),
           "more places due than a block has");
   Require(AreSquares(schedule.last_squared_errors), "a squared error that is negative");
 }
 
 void CheckPass(const Pass& pass, std::uint32_t most) {
-  Require(pass.end <= most, "a pass beyond its settings");
+  Require(pass.end <= most, "a pass with more samples than its settings allow");
   Require(pass.samples >= 0 && pass.seconds >= 0, "a pass of negative length");
   Require(!pass.error || (pass.error->unit >= ErrorUnit::display && pass.error->unit <= ErrorUnit::linear),
           "an error in an unknown unit");
 }
 
-/// The parts are two streams of as many samples, or hold the samples up to a power of two and those since then.
+/// Returns true if the parts are two streams with equally many samples, or contain the samples up to a power of two and
+/// those after it.
 bool ArePartsOfOneBlock(const Film::Block& block, bool has_two_streams) {
   if (has_two_streams) return block.samples[0] == block.samples[1];
   const std::uint64_t all = std::uint64_t{block.samples[0]} + block.samples[1];
@@ -256,7 +257,7 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
   const std::string theirs = reader.TakeText(length);
   if (theirs != identity) {
     const std::string difference = FirstDifference(theirs, identity);
-    if (difference.starts_with("scene "))  // a hash means nothing to a reader
+    if (difference.starts_with("scene "))  // a hash is meaningless to readers
       throw OtherImageError("the checkpoint belongs to a different scene");
     if (difference.ends_with(' '))
       throw OtherImageError("the checkpoint was made without " + difference.substr(0, difference.size() - 1));
@@ -271,7 +272,7 @@ RenderState DecodedState(std::span<const unsigned char> bytes, const std::string
   if (!state.differences.IsEmpty()) reader.TakeAll(state.differences.samples);
   for (auto passes = reader.Take<std::uint64_t>(); passes > 0; --passes) state.passes.push_back(TakePass(reader));
   for (int i = 0; i < film.Blocks(); ++i) state.blocks.push_back(TakeBlock(reader, film.EmptySums(i)));
-  if (reader.Left() > 0) throw CheckpointError("it is longer than it should be");
+  if (reader.Left() > 0) throw CheckpointError("it has extra bytes at its end");
   return state;
 }
 
@@ -281,8 +282,8 @@ void CheckPlan(const RenderState& state, const RenderSettings& settings) {
   const std::uint64_t due =
       (HasTwoStreams(settings) ? 2 : 1) * std::uint64_t{std::ranges::max(state.schedule.targets.samples)};
   if (due > now)
-    throw CheckpointError("the checkpoint is of " + std::to_string(due) + " samples per pixel, more than -samples " +
-                          std::to_string(now) + ": samples can be added, not taken away");
+    throw CheckpointError("the checkpoint contains " + std::to_string(due) + " samples per pixel, more than -samples " +
+                          std::to_string(now) + ": samples can be added but not removed");
   const auto refuse = [&](const std::string& why) {
     throw CheckpointError("the checkpoint's samples were planned for " + std::to_string(then) + " per pixel, not " +
                           std::to_string(now) + ": " + why);

@@ -12,47 +12,49 @@
 
 namespace ray {
 
-/// A pass over the picture that is over.
+/// A completed pass over the image.
 struct Pass {
-  std::uint32_t end = 0;  // samples per pixel and stream, of the blocks that took part
-  double samples = 0;     // per pixel, on average over the picture
+  std::uint32_t end = 0;  // samples per pixel and stream in the blocks that took part
+  double samples = 0;     // per pixel, on average over the image
   double seconds = 0;     // since the render began
   std::optional<ErrorEstimate> error;
 };
 
-/// A render between two samples: all that is needed to continue to the same image, bit for bit.
+/// A render between two samples: the complete state from which it continues to the same image, bit for bit.
 struct RenderState {
   std::vector<Film::Block> blocks;
   ScheduleState schedule;
   std::vector<Pass> passes;
   RayCounts rays;
   std::uint32_t planned_samples = 1;  // see PlannedSamples
-  BlockErrors differences;            // see MeasureError; empty where none were measured
+  BlockErrors differences;            // see MeasureError; empty if none were measured
 };
 
-/// Why a render cannot resume from a checkpoint, in words.
+/// The reason why a render cannot resume from a checkpoint.
 struct CheckpointError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The checkpoint is whole, but of another image, version or machine type: nothing that may be rendered over.
+/// The checkpoint is intact, but of another image, version or machine type, so it must not be overwritten.
 struct OtherImageError : CheckpointError {
   using CheckpointError::CheckpointError;
 };
 
-/// The bytes of a checkpoint. `identity`: lines "name value" that say of which picture it is.
+/// Encodes a checkpoint. `identity`: lines "name value" that identify its image.
 std::vector<unsigned char> Encoded(const RenderState& state, const std::string& identity);
 
-/// Throws CheckpointError for anything but what Encoded gave for the same identity and a film of the same blocks; the
-/// message names the first line of the identity that differs. `film` is an empty film of the image to be continued.
+/// Decodes a checkpoint. Throws CheckpointError for anything except the output of Encoded for the same identity and a
+/// film with the same blocks; the message contains the first line of the identity that differs. `film` is an empty film
+/// of the image to be continued.
 RenderState DecodedState(std::span<const unsigned char> bytes, const std::string& identity, const Film& film);
 
-/// Throws CheckpointError when going on from the state to the samples of the settings would not give the picture of a
-/// render that had them in view from the start, to the last bit.
+/// Throws CheckpointError unless continuing from the state to the samples of the settings gives the image of a render
+/// that planned them from the start, to the last bit.
 void CheckPlan(const RenderState& state, const RenderSettings& settings);
 
-/// Throws CheckpointError for a state that no render with these settings gets into: samples, targets and errors are
-/// what a schedule may choose and a film may hold. Colors may be any: nothing but another render can tell.
+/// Throws CheckpointError for a state that no render with these settings reaches: a schedule must be able to choose its
+/// targets and errors, and a film to contain its samples. Colors are not checked: only another render could verify
+/// them.
 void CheckState(const RenderState& state, const Film& film, const RenderSettings& settings);
 
 }  // namespace ray

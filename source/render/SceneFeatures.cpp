@@ -21,7 +21,7 @@ std::string SettingText(double number) {
   return std::string(text.data(), end);
 }
 
-/// How many lights the instance is, if it emits and may be a light.
+/// Returns the number of lights of an emissive instance; 0 if it is not emissive or cannot be a light.
 std::size_t LightsOf(const Instance& instance, const RenderSettings& settings) {
   const bool is_one = !EmitsRadiance(settings) && instance.mesh && IsOneLamp(instance, settings.trace.emissive_meshes);
   return is_one ? 1 : static_cast<std::size_t>(instance.shape->Elements());

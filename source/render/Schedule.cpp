@@ -14,35 +14,36 @@
 namespace ray {
 namespace {
 
-constexpr std::uint32_t most_samples = 1u << 30;      // per pixel and stream, where nothing else ends the render
-constexpr std::uint32_t planned_if_unknown = 16;      // samples that strata are laid out for when no count is known
-constexpr std::uint32_t first_with_error_target = 8;  // of each stream, before anything else is decided
-constexpr std::uint32_t first_that_may_do = 4;        // before the error may be found small enough
-constexpr double share_of_time_at_once = 0.6;         // of what is left, by a pass: its speed is known from others
-constexpr double share_of_time_not_used = 0.01;       // is too little for another pass
-constexpr double seconds_without_news = 1;            // that the first sample of all pixels may take in one pass
-constexpr double fall_of_error = 0.75;                // error ~ samples^-this, for guessing how many are needed
-// No block stops early where blocks that seem good enough may hold more than this share of the squared error: see
+constexpr std::uint32_t most_samples = 1u << 30;      // per pixel and stream, if nothing else ends the render
+constexpr std::uint32_t planned_if_unknown = 16;      // samples for which strata are laid out if no count is known
+constexpr std::uint32_t first_with_error_target = 8;  // of each stream, before any other decision
+constexpr std::uint32_t first_that_may_do = 4;        // of each stream, before the error can end the render
+constexpr double share_of_time_at_once = 0.6;         // of the time left, for a pass of uncertain speed
+constexpr double share_of_time_not_used = 0.01;       // too little for another pass
+constexpr double seconds_without_news = 1;            // limit for taking the first sample of all pixels in one pass
+constexpr double fall_of_error = 0.75;                // error ~ samples^-this, to estimate the required samples
+// No block stops early if blocks that seem good enough may contain more than this share of the squared error: see
 // HidesAnywhere.
 constexpr double most_surprise = 0.05;
 
 bool HasCeiling(const RenderSettings& settings) { return !settings.budget.IsOpen() || settings.samples > 1; }
 
-/// Samples per pixel and stream.
+/// Returns the limit of samples per pixel and stream.
 std::uint32_t Ceiling(const RenderSettings& settings) {
   if (!HasCeiling(settings)) return most_samples;
   const auto samples = static_cast<std::uint32_t>(settings.samples);
   return HasTwoStreams(settings) ? std::max(1u, samples / 2) : samples;
 }
 
-/// Samples per pixel and stream.
+/// Returns the samples per pixel and stream at the first decision.
 std::uint32_t FirstDecision(const RenderSettings& settings) {
   const std::uint32_t planned = settings.replay ? settings.replay->planned_samples / 2 : Ceiling(settings);
   const bool looks_at_error = settings.replay ? settings.replay->looked_at_error : settings.budget.error.has_value();
   return std::clamp(planned, 1u, looks_at_error ? first_with_error_target : 1u);
 }
 
-/// Blocks that gain a sample where there is no time for one of all: so many of those that have fewest, spread evenly.
+/// Adds one sample to some blocks if there is no time for one in all: that many of those with the fewest samples,
+/// spread evenly.
 void RaiseSome(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double blocks) {
   std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = 0; i < done.size(); ++i)
@@ -51,7 +52,7 @@ void RaiseSome(std::vector<std::uint32_t>& targets, const std::vector<std::uint3
   double candidates = 0;
   for (std::size_t i = 0; i < done.size(); ++i) candidates += is_raised(i);
   const double share = blocks / candidates;
-  double place = 0;  // steps of the golden ratio: any few in a row are spread over (0, 1)
+  double place = 0;  // steps of the golden ratio, whose successive values are spread over (0, 1)
   for (std::size_t i = 0; i < done.size(); ++i) {
     const bool is_candidate = is_raised(i);
     if (is_candidate) place = std::fmod(place + 1 / std::numbers::phi, 1);
@@ -61,8 +62,8 @@ void RaiseSome(std::vector<std::uint32_t>& targets, const std::vector<std::uint3
   }
 }
 
-/// Every block cut to a share of the samples that it would gain, or so many blocks to one. The largest target of those
-/// that still gain any; 0 where none does.
+/// Reduces the samples that each block would gain to a share, or the number of blocks that gain one. Returns the
+/// largest target of those that still gain any; 0 if none does.
 std::uint32_t Shorten(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double share) {
   double most = 0, all = 0;
   for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -135,7 +136,7 @@ void Schedule::Resume(ScheduleState state) {
 }
 
 void Schedule::SkipToRound() {
-  while (!NeedsWholePicture() && !Next({})) continue;
+  while (!NeedsWholeImage() && !Next({})) continue;
 }
 
 std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
@@ -149,7 +150,7 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   std::uint32_t end = goes_as_far_as_time ? ceiling_ : std::min(ceiling_, NextEnd(error));
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
   if (error && budget_.adaptive != Adaptive::off) targets = ChooseBlocks(end, *error);
-  // After a pass that was shortened for some blocks others may have more already.
+  // After a pass that was shortened for some blocks, others may already have more.
   for (std::size_t i = 0; i < targets.size(); ++i) targets[i] = std::max(targets[i], state_.targets.samples[i]);
   if (targets == state_.targets.samples) return Stop::samples;
   if (budget_.seconds > 0) end = ShortenToTime(targets, end, pass);
@@ -159,17 +160,18 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   return {};
 }
 
-/// Whether an error after the pass that runs is small enough to end the render. For the sake of coarse targets it is
-/// looked at once before anything else is decided by it, which leaves no trace where it is too large. Nothing tells
-/// then how it falls, so its square counts as if it had not fallen when the samples were last doubled.
-///   accuracy   20 scenes with 6 seeds and targets of 16, 8 and 4 / 255: 176 of 360 renders end there, and none of
-///              these has a true error above the target; without that doubling more would, and some have
+/// Returns true if an error after the current pass is small enough to end the render. For coarse targets it is measured
+/// once before it decides anything else; if it is too large, that has no effect. Since its history is unknown then, its
+/// square counts as if it had not fallen when the samples were last doubled.
+///   accuracy   20 scenes with 6 seeds and targets of 16/255, 8/255 and 4/255: 176 of 360 renders end there, and none
+///              of
+///              these has a true error above the target; without that doubling more would end, some of them above it
 bool Schedule::Suffices(const MeasuredError& error) const {
   if (!LooksAtError() || state_.end < std::min(ceiling_, first_that_may_do)) return false;
   return Caution() * error.square_high <= SquaredTargetOf(error);
 }
 
-/// Looks at so many places, or takes the first sample of all where those are as many.
+/// Looks at that many places, or takes the first sample of all pixels if these are all places.
 void Schedule::LookOn(int places) {
   if (!is_subsampled_ && places >= BlockOrder::places)
     SampleTo(1);
@@ -177,13 +179,13 @@ void Schedule::LookOn(int places) {
     LookAt(std::min(places, most_places_));
 }
 
-/// Until every pixel has its first sample, or all that are to have one; or where that takes long, first at twice as
-/// many places.
+/// Continues until every pixel has its first sample, or all that should have one; if that takes long, first with twice
+/// as many places.
 std::optional<Stop> Schedule::NextOfFirstSamples(const PassOutcome& pass) {
   const int places = state_.targets.places.front();
   if (is_subsampled_ && places >= most_places_) return Stop::samples;
   const double samples_left = (two_streams_ ? 2 : 1) - static_cast<double>(places) / BlockOrder::places;
-  const double pace = pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0;  // seconds for a sample
+  const double pace = pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0;  // seconds per sample
   const bool is_short = pace * samples_left <= seconds_without_news;
   int next = 2 * places;
   if (budget_.seconds > 0) {
@@ -201,9 +203,10 @@ std::optional<Stop> Schedule::NextOfFirstSamples(const PassOutcome& pass) {
   return {};
 }
 
-/// All samples for blocks in which neighboring pixels differ by more than a level after the first sample, or that took
-/// more already. Elsewhere the picture is smooth: its mean over a pixel differs from one sample in it by at most half
-/// of what the pixel and its neighbors beside it differ by, and half of those above it, so by a level.
+/// Takes all samples in blocks in which neighboring pixels differ by more than a level after the first sample, and in
+/// those that already took more. Elsewhere the image is smooth: its mean over a pixel differs from one sample in it by
+/// at most half of the difference to the neighbors on the left and right, plus half of that to those above and below,
+/// so by a level.
 std::optional<Stop> Schedule::NextOfNeighbors(const PassOutcome& pass) {
   constexpr double level = 1.0 / 255;
   std::vector<std::uint32_t> targets = state_.targets.samples;
@@ -231,9 +234,9 @@ void Schedule::ReplayTo(std::uint32_t end) {
   state_.targets.places = replay_->places;
 }
 
-/// Twice as many, or fewer when the error is close to its target: a multiple of a large power of two, at which the
-/// sequences are well distributed. In between errors may even rise: of scenes/camera_motion.scn from .95 / 255 at 16
-/// samples of each stream to 1.10 at 19, before they fall to .76 at 24 and .54 at 32.
+/// Returns twice the samples, or fewer if the error is close to its target: a multiple of a large power of two, at
+/// which the sequences are well distributed. In between, errors may even rise: for scenes/camera_motion.scn from
+/// 0.95/255 at 16 samples of each stream to 1.10/255 at 19, before they fall to 0.76/255 at 24 and 0.54/255 at 32.
 std::uint32_t Schedule::NextEnd(const MeasuredError* error) const {
   const std::uint32_t end = state_.end, twice = 2 * end;  // fits, since -samples is an int
   if (!error) return twice;
@@ -242,15 +245,16 @@ std::uint32_t Schedule::NextEnd(const MeasuredError* error) const {
   return growth < 1.7 ? RoundedUp(growth) : twice;
 }
 
-/// Returns so many times the samples so far, to the next quarter of a power of two.
+/// Returns the samples so far times `growth`, rounded up to a quarter of a power of two.
 std::uint32_t Schedule::RoundedUp(double growth) const {
   const std::uint32_t end = state_.end, step = std::max(1u, std::bit_floor(end) / 4);
   const auto wanted = std::max(end, static_cast<std::uint32_t>(growth * end));
   return (wanted / step + 1) * step;
 }
 
-/// Looks at a denoised image take a filter each, so there are few: far from the target, the next is at half of the
-/// samples that are expected to do; close to it, at a little more than all of them.
+/// Returns the samples at the next look at a denoised image. Each look requires filtering, so there are few: far from
+/// the target, the next one is at half of the samples that are expected to suffice; close to it, at slightly more than
+/// these.
 ///   source   squared errors of denoised images fall as samples^-0.7 to samples^-1.3 in the scenes of
 ///            script/time_to_error.sh
 std::uint32_t Schedule::NextEndIfDenoised(const MeasuredError& error) const {
@@ -261,16 +265,16 @@ std::uint32_t Schedule::NextEndIfDenoised(const MeasuredError& error) const {
   return RoundedUp(std::min(most_growth, margin * error.square_high / target));
 }
 
-/// Targets where only blocks go on whose error is above the target, or a neighbor's is. One look may see a small error
-/// by luck, so it takes two in a row to stop.
+/// Returns targets with which only blocks continue whose error, or a neighbor's, is above the target. A single
+/// measurement may be small by chance, so a block stops only after two in a row.
 std::vector<std::uint32_t> Schedule::ChooseBlocks(std::uint32_t end, const MeasuredError& error) {
-  constexpr double fall = 0.5;  // of a squared error, at least, when the samples are doubled
+  constexpr double fall = 0.5;  // assumed minimum ratio of a squared error when the samples are doubled
   const double target = SquaredTargetOf(error);
   const std::vector<double>& last = state_.last_squared_errors;
   std::vector<double> squares = error.square_of_blocks;
   const bool has_looked_before = !last.empty();
   const bool hides_anywhere = HidesAnywhere(error, squares);
-  for (double& square : squares) square = std::max(0.0, square);  // of a denoised image they may be negative
+  for (double& square : squares) square = std::max(0.0, square);  // they may be negative for a denoised image
   std::vector<double> now = squares;
   for (std::size_t i = 0; i < last.size(); ++i) squares[i] = std::max(squares[i], fall * last[i]);
   state_.last_squared_errors = std::move(now);
@@ -296,16 +300,16 @@ bool Schedule::IsOpen(std::size_t block, const std::vector<double>& squares, dou
   return false;
 }
 
-/// Whether light is found so seldom that nothing tells in which blocks it will be found next: where none of the samples
-/// has found light that may be there, which raises the upper end of the error and no block's; or where most of the
-/// error is in outliers, and blocks that seemed good enough before the last pass hold much of it now. (Along the edge
-/// of a lamp few pixels hold the error as well, but stay few.)
+/// Returns true if light is found so rarely that the blocks in which it will be found next are unknown. That is the
+/// case if no sample has found light that may exist, which raises the upper end of the error but of no block; or if
+/// most of the error is in outliers, and blocks that seemed good enough before the last pass now contain much of it.
+/// (Along the edge of a light few pixels contain the error as well, but they stay few.)
 bool Schedule::HidesAnywhere(const MeasuredError& error, const std::vector<double>& squares) const {
   if (error.estimate.unseen_share > most_surprise) return true;
   return error.estimate.IsMostlyOutliers() && ShareOfSurprise(squares, SquaredTargetOf(error)) > most_surprise;
 }
 
-/// How much of the squared error is in blocks that would have stopped before the last pass; all of it before there was
+/// Returns the share of the squared error in blocks that would have stopped before the last pass; 1 before there was
 /// one.
 double Schedule::ShareOfSurprise(const std::vector<double>& squares, double target) const {
   if (state_.last_squared_errors.empty()) return 1;
@@ -317,13 +321,13 @@ double Schedule::ShareOfSurprise(const std::vector<double>& squares, double targ
   return all > 0 ? surprise / all : 0;
 }
 
-/// Before the picture has to be finished.
+/// Returns the seconds until the image has to be finished.
 double Schedule::SecondsLeft(const PassOutcome& pass) const {
   return share_of_time_aimed_at * budget_.seconds - pass.now - pass.seconds_after;
 }
 
-/// Shortens the next pass, which would go to `end`, to the time that is left. Where it ends then; 0: there is no time
-/// for any.
+/// Shortens the next pass, which would end at `end`, to the time that is left. Returns its end then; 0 if there is no
+/// time.
 std::uint32_t Schedule::ShortenToTime(std::vector<std::uint32_t>& targets, std::uint32_t end,
                                       const PassOutcome& pass) const {
   const std::vector<std::uint32_t>& done = state_.targets.samples;
@@ -332,12 +336,11 @@ std::uint32_t Schedule::ShortenToTime(std::vector<std::uint32_t>& targets, std::
   double samples = 0;
   for (std::size_t i = 0; i < targets.size(); ++i)
     samples += blocks_.areas[i] * (two_streams_ ? 2 : 1) * (targets[i] - done[i]);
-  // How much of the pass there is time for. Each near the end leaves time for another, so that only the last and
-  // shortest can be wrongly guessed.
+  // The fraction of the pass for which there is time. Each pass near the end leaves time for another, so that only the
+  // last and shortest can be misjudged.
   const double pace = pass.seconds_taken / pass.samples_taken + pass.seconds_after_per_sample;
   double share = share_of_time_at_once * left / (pace * (samples / pixels_));
-  // Where no pass tells how fast they are, one sample has to. It must not be shortened to none by rounding (some
-  // 1e-15).
+  // Without a pass that shows the speed, take one sample. Rounding (about 1e-15) must not reduce it to none.
   constexpr double above_rounding = 1 + 1e-9;
   if (!(pass.samples_taken > 0)) share = above_rounding / (end - state_.end);
   return share >= 1 ? end : Shorten(targets, done, share);

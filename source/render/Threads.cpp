@@ -18,7 +18,7 @@ int ThreadsAvailable(int wanted) {
   std::atomic<bool> all_are_made = false;
   try {
     while (static_cast<int>(others.size()) < wanted - 1) others.emplace_back([&] { all_are_made.wait(false); });
-  } catch (const std::system_error&) {  // no more of them
+  } catch (const std::system_error&) {  // no more are available
   }
   all_are_made = true;
   all_are_made.notify_all();
@@ -31,7 +31,7 @@ int ThreadsFor(int asked) {
 }
 
 void ForEachOnThreads(int threads, int count, const std::function<void(int)>& task) {
-  // The arena bounds this work alone; only more threads than usual need permission.
+  // The arena limits this work alone; only more threads than usual require a global permission.
   std::optional<tbb::global_control> permission;
   if (threads > tbb::info::default_concurrency())
     permission.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));

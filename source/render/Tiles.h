@@ -10,10 +10,10 @@
 
 namespace ray {
 
-/// The blocks of a film shared out to work items: squares of blocks, in rows from the bottom.
+/// The blocks of a film, divided into work items: squares of blocks, in rows from the bottom.
 class Tiles {
  public:
-  /// `side` in pixels, rounded up to whole blocks; 0: one tile for all.
+  /// `side` in pixels, rounded up to whole blocks; 0: a single tile.
   Tiles(const Film& film, int side)
       : film_columns_(film.Columns()), film_rows_(film.Blocks() / std::max(1, film.Columns())) {
     const int whole = std::max(film_columns_, film_rows_);
@@ -25,7 +25,7 @@ class Tiles {
   }
 
   int Count() const { return columns_ * rows_; }
-  /// The tile that comes i-th in an order in which any few in a row are spread over the film: in steps of the golden
+  /// Returns the i-th tile of an order in which successive tiles are spread over the film, in steps of the golden
   /// ratio.
   int Spread(int i) const { return static_cast<int>(std::int64_t{i} * stride_ % Count()); }
 

@@ -191,15 +191,15 @@ TEST(Extremes, C6_BadRaysHitNothingAndDisturbNoOthers) {
       for (int k = 0; k < 16; ++k) rays.push_back({{0, 0, 5}, {.1 * (k % 4) - .15, .1 * (k / 4) - .15, -1}});
       rays[i % 16] = bad[i];
       std::vector<std::optional<ray::WorldHit>> hits(rays.size());
-      bool are_occluded[16];
+      bool is_occluded[16];
       ray::Workspace together, alone;
       accelerator->Intersect(rays, hits.data(), together);
-      accelerator->IsOccluded(rays, are_occluded, together);
+      accelerator->IsOccluded(rays, is_occluded, together);
       EXPECT_EQ(together.counts.bad_rays, 2u) << way.name << ' ' << oracle::Hex(bad[i]);
       for (std::size_t k = 0; k < rays.size(); ++k) {
         const auto hit = accelerator->Intersect(rays[k], alone);
         EXPECT_EQ(hits[k].has_value(), hit.has_value()) << way.name << ' ' << oracle::Hex(rays[k]);
-        EXPECT_EQ(are_occluded[k], hit.has_value()) << way.name << ' ' << oracle::Hex(rays[k]);
+        EXPECT_EQ(is_occluded[k], hit.has_value()) << way.name << ' ' << oracle::Hex(rays[k]);
         if (hit && hits[k]) {
           EXPECT_EQ(hits[k]->t, hit->t) << way.name << ' ' << oracle::Hex(rays[k]);
         }

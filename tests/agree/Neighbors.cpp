@@ -68,7 +68,7 @@ TEST(AdaptiveNeighbors, FullySamplesBlocksOnBothSidesOfAnEdge) {
     EXPECT_EQ(result.block_samples[block], block % 8 == 3 || block % 8 == 4 ? 4u : 1u) << block;
 }
 
-TEST(AdaptiveNeighbors, IsOnePictureForAnyThreadsAndTiles) {
+TEST(AdaptiveNeighbors, IsTheSameImageForAnyThreadsAndTiles) {
   const project::Stage stage(ray::Parse((project::Root() / "scenes/first.scn").string(), {}).scene);
   ray::RenderSettings settings = SettingsOf(*stage.scene, ray::SamplerKind::grid);
   settings.budget.adaptive = ray::Adaptive::neighbors;

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "R2/ImageFile.h"
-#include "source/film/error/PictureError.h"
+#include "source/film/error/ImageError.h"
 #include "source/render/PixelTrace.h"
 #include "source/render/RenderBlock.h"
 #include "source/scene/CameraText.h"

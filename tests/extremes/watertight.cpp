@@ -78,11 +78,11 @@ TEST(Extremes, D1_D2_NoAcceleratorThatTracesRaysTogetherLetsOneThrough) {
         ray = {eye, (draw.Whole(0, 1) ? a : a + draw.Between(0, 1) * (b - a)) - eye};
       }
       std::array<std::optional<ray::WorldHit>, together> hits;
-      std::array<bool, together> are_occluded{};
+      std::array<bool, together> is_occluded{};
       accelerator->Intersect(rays, hits.data(), workspace);
-      accelerator->IsOccluded(rays, are_occluded.data(), workspace);
+      accelerator->IsOccluded(rays, is_occluded.data(), workspace);
       for (std::size_t k = 0; k < together; ++k) {
-        if (hits[k] && are_occluded[k]) continue;
+        if (hits[k] && is_occluded[k]) continue;
         if (++leaks <= 3) ADD_FAILURE() << way.name << " leaks: " << oracle::Hex(rays[k]);
       }
     }

@@ -100,12 +100,12 @@ class Squares {
     return {caustics_.most, CountSamples(film_).mean * static_cast<double>(RegionOf(settings_).Area())};
   }
 
-  DenoisedPicture Denoised() const {
+  DenoisedImage Denoised() const {
     const PixelRectangle& all = film_.Region();
-    DenoisedPicture stack{{R2::Image(all.Width(), all.Height()), R2::Image(all.Width(), all.Height())}};
+    DenoisedImage stack{{R2::Image(all.Width(), all.Height()), R2::Image(all.Width(), all.Height())}};
     for (std::size_t i = 0; i < squares_.size(); ++i) {
       const Square& square = squares_[i];
-      const DenoisedPicture part = DenoiseFilm(world_, accelerator_, square.settings, square.film);
+      const DenoisedImage part = DenoiseFilm(world_, accelerator_, square.settings, square.film);
       for (int stream = 0; stream < 2; ++stream)
         ForEachPixel(i, [&](int column, int row, int x, int y) {
           stack.of_stream[stream].Set(x - all.x0, y - all.y0, part.of_stream[stream].At(column, row));
@@ -237,7 +237,7 @@ Probe ProbeToError(const World& world, const Accelerator& accelerator, const Ren
     squares.SampleTo(schedule.State().targets.samples);
     PassOutcome pass;
     pass.error = history.Note(schedule, CountSamples(film).mean, squares.SecondsOfImage(), squares.Unseen());
-    if (pass.error) probe.light = MeanOf(film.Picture()), is_measured = true;
+    if (pass.error) probe.light = MeanOf(film.Image()), is_measured = true;
     if (const auto forecast = history.Forecast()) pass.has_stalled = forecast->has_stalled;
     probe.stop = schedule.Next(pass);
   }

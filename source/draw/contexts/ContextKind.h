@@ -7,7 +7,7 @@
 
 namespace ray {
 
-/// A way to make contexts without a window; one a file.
+/// A kind of contexts without a window; one per file.
 struct ContextKind {
   const char* name;                    // "egl"
   std::unique_ptr<Context> (*make)();  // current on this thread; throws ContextError, one line without the kind's name
@@ -20,7 +20,7 @@ extern const ContextKind egl_context;
 extern const ContextKind osmesa_context;
 #endif
 
-/// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5": what draws for the current context.
+/// Returns the renderer of the current context: "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5".
 std::string CurrentRenderer();
 
 }  // namespace ray

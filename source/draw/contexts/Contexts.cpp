@@ -9,10 +9,10 @@
 namespace ray {
 namespace {
 
-/// A kind that may not be built in here.
+/// A kind that may be missing in this build.
 struct KnownKind {
   const char* name;
-  const char* package;  // that brings it
+  const char* package;  // that provides it
   const ContextKind* kind;
 };
 
@@ -27,7 +27,7 @@ constexpr const ContextKind* osmesa = &osmesa_context;
 constexpr const ContextKind* osmesa = nullptr;
 #endif
 
-// In the order in which they are tried: EGL finds a GPU where there is one.
+// The kinds in the order in which they are tried: EGL uses a GPU if there is one.
 constexpr std::array known_kinds{KnownKind{"egl", "libepoxy-dev", egl}, KnownKind{"osmesa", "libosmesa6-dev", osmesa}};
 
 std::unique_ptr<Context> MakeFirst() {

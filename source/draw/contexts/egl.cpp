@@ -6,7 +6,8 @@
 
 #include "source/draw/contexts/ContextKind.h"
 
-// Without a window through EGL: on a GPU where there is one, else in Mesa's software renderer, which needs no display.
+// Contexts without a window through EGL: on a GPU if there is one, otherwise in Mesa's software renderer, which needs
+// no display.
 //   source   Khronos, EGL 1.5; EGL_EXT_device_enumeration, EGL_EXT_platform_device, EGL_MESA_platform_surfaceless,
 //            EGL_KHR_surfaceless_context, EGL_KHR_no_config_context
 namespace ray {
@@ -38,7 +39,7 @@ Devices AllDevices() {
   return devices;
 }
 
-/// Where a context may be made, the best first. Nothing is opened yet.
+/// Returns the displays on which a context may be made, the best first. Does not open them.
 std::vector<EGLDisplay> Displays() {
   const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const auto has = [extensions](const char* name) { return epoxy_extension_in_string(extensions, name); };
@@ -55,8 +56,8 @@ std::vector<EGLDisplay> Displays() {
   return displays;
 }
 
-/// What the context is to be able to draw into. We draw into framebuffers of our own, so any that knows OpenGL does,
-/// and none is best.
+/// Returns a configuration for the context. Since we draw into our own framebuffers, any that supports OpenGL works,
+/// and they are equally good.
 EGLConfig Config(EGLDisplay display) {
   if (epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) return EGL_NO_CONFIG_KHR;
   constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
@@ -70,7 +71,7 @@ EGLConfig Config(EGLDisplay display) {
 
 class EglContext : public Context {
  public:
-  /// Throws ContextError when the display has no OpenGL 3.3.
+  /// Throws ContextError if the display has no OpenGL 3.3.
   explicit EglContext(EGLDisplay display) : display_(display) {
     if (!eglInitialize(display, nullptr, nullptr)) throw ContextError("a device cannot be opened, " + LastError());
     if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context"))
@@ -89,7 +90,7 @@ class EglContext : public Context {
     name_ = "egl: " + CurrentRenderer();
   }
 
-  // The display stays open: the library has one for the whole process, and other contexts may stand on it.
+  // The display stays open: the library has one for the whole process, and other contexts may use it.
   ~EglContext() override {
     if (eglGetCurrentContext() == context_) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);

@@ -17,7 +17,7 @@ std::string LastError() {
   return text ? text : "no reason given";
 }
 
-/// The library's keys in a row that are ours in a row.
+/// A range of the library's keys that corresponds to a range of ours.
 struct KeyRange {
   int first, last;
   Key ours;
@@ -54,7 +54,7 @@ Key KeyOf(int theirs) {
   return Key::none;
 }
 
-/// Keys that step something go on stepping while held; those that switch something must not flicker.
+/// Returns true for keys that repeat while held, such as those that step; keys that toggle must not flicker.
 bool Repeats(Key key) {
   switch (key) {
     case Key::left:
@@ -76,7 +76,7 @@ bool Repeats(Key key) {
   }
 }
 
-/// At most the 21 bits that characters have.
+/// Encodes a character of at most 21 bits as UTF-8.
 std::string Utf8(unsigned int character) {
   if (character < 0x80) return {static_cast<char>(character)};
   const auto further = [&](int shift) { return static_cast<char>(0x80 | (character >> shift & 0x3F)); };
@@ -89,7 +89,7 @@ Modifiers ModifiersOf(int theirs) {
   return {.shift = (theirs & GLFW_MOD_SHIFT) != 0, .control = (theirs & GLFW_MOD_CONTROL) != 0};
 }
 
-/// The library, while there is a window.
+/// The library, initialized while there is a window.
 class Library {
  public:
   Library() {
@@ -107,7 +107,7 @@ class GlfwWindow : public Window {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
 #ifdef __APPLE__
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // there is no other; elsewhere it would forbid wide lines
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // without it, wide lines would be forbidden elsewhere
 #endif
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
     glfwWindowHint(GLFW_SRGB_CAPABLE, GLFW_TRUE);  // so that light is blended before it is encoded
@@ -139,7 +139,7 @@ class GlfwWindow : public Window {
   void SetClipboard(const std::string& text) override { glfwSetClipboardString(window_, text.c_str()); }
 
   std::vector<Event> Wait(double seconds) override {
-    // The library takes no endless wait; nobody sees that an hour is over.
+    // The library has no endless wait; waking once per hour is harmless.
     constexpr double longest = 3600;
     if (events_.empty() && seconds > 0)
       glfwWaitEventsTimeout(std::min(seconds, longest));
@@ -168,13 +168,13 @@ class GlfwWindow : public Window {
       self.events_.emplace_back(ScrollEvent{steps, self.x_, self.y_});
     });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int width, int height) { Of(w).OnSize(width, height); });
-    // What was covered has to be drawn again, which is what follows a change of size as well.
+    // A part of the window that was covered must be redrawn, as after a change of size.
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { Of(w).OnSize(Of(w).width_, Of(w).height_); });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** files) {
       for (int i = 0; i < count; ++i) Of(w).events_.emplace_back(DropEvent{files[i]});
     });
     glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
-      glfwSetWindowShouldClose(w, GLFW_FALSE);  // whoever reads the event decides
+      glfwSetWindowShouldClose(w, GLFW_FALSE);  // the receiver of the event decides
       Of(w).events_.emplace_back(CloseEvent{});
     });
   }
@@ -184,7 +184,7 @@ class GlfwWindow : public Window {
     events_.emplace_back(KeyEvent{key, modifiers, action != GLFW_RELEASE});
   }
 
-  // The pointer is where its last event said: asked for now, it would be where it has gone since.
+  // The pointer's position is that of its last event: a query now would return its current one.
   void OnButton(int theirs, bool is_pressed, const Modifiers& modifiers) {
     if (theirs > GLFW_MOUSE_BUTTON_MIDDLE) return;
     const Button button = theirs == GLFW_MOUSE_BUTTON_LEFT    ? Button::left
@@ -193,8 +193,8 @@ class GlfwWindow : public Window {
     events_.emplace_back(ButtonEvent{button, is_pressed, x_, y_, modifiers});
   }
 
-  // From the window's units, counted from the top, to the middle of a pixel of the drawing, counted from the bottom:
-  // rounded down it is the pixel under the pointer.
+  // Converts the window's units, counted from the top, to the middle of a pixel of the drawing, counted from the
+  // bottom: rounded down it is the pixel under the pointer.
   void OnMove(double x, double y) {
     int width = 0, height = 0;
     glfwGetWindowSize(window_, &width, &height);

@@ -12,14 +12,14 @@
 
 #include "source/draw/contexts/ContextKind.h"
 
-// Without a window through OSMesa, Mesa's drawing into memory; it ends with Mesa 25.0.
+// Contexts without a window through OSMesa, Mesa's rendering into memory, which ends with Mesa 25.0.
 //   source   Mesa, include/GL/osmesa.h
 namespace ray {
 
 namespace {
 
-/// The library, loaded when it is first asked for: linked with, it and the compiler inside it would be loaded at every
-/// start. It stays: the compiler's threads may still run in it.
+/// Loads the library at its first use: if it were linked, it and its compiler would be loaded at every start. It is
+/// never unloaded, since the compiler's threads may still run in it.
 void* Library() {
   static void* const library = [] {
     void* newest = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
@@ -35,8 +35,8 @@ Type FindInLibrary(const char* name) {
   return function;
 }
 
-/// Every function of OpenGL that we call, in OSMesa. libepoxy looks them up through GLX and EGL, which know nothing of
-/// it, so they replace what its pointers hold while this exists.
+/// The functions of OpenGL that we call, in OSMesa. libepoxy finds functions through GLX and EGL, which do not know
+/// OSMesa, so its function pointers are replaced while this exists.
 class Functions {
  public:
   // clang-format off
@@ -108,9 +108,10 @@ class OsMesaContext : public Context {
   std::string Name() const override { return name_; }
 
  private:
-  std::array<unsigned char, 4> pixel_{};  // a context wants something to draw into, though we never do
+  // a context requires a buffer, though we never draw into it
+  std::array<unsigned char, 4> pixel_{};
   using Handle = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, decltype(&OSMesaDestroyContext)>;
-  Handle context_{nullptr, nullptr};  // destroying it takes it from the thread as well
+  Handle context_{nullptr, nullptr};  // destruction also makes it no longer current
   std::optional<Functions> functions_;
   std::string name_;
 };

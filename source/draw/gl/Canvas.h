@@ -10,38 +10,39 @@
 
 namespace ray {
 
-/// A framebuffer with what it needs, and its size in pixels.
+/// A framebuffer with its attachments and its size in pixels.
 struct OffscreenTarget {
   Framebuffer framebuffer;
   Renderbuffer color, depth;
   int width = 0, height = 0;
 };
 
-/// From here on colors are blended over what is there by their alpha, if GL_BLEND is enabled.
+/// Sets blending of further colors by their alpha, if GL_BLEND is enabled.
 void UseAlpha();
 
-/// What is drawn into: framebuffer 0 of a window, or a framebuffer of its own, of whatever size is asked for.
+/// The target of drawing: framebuffer 0 of a window, or a separate framebuffer of any size.
 class Canvas {
  public:
   enum class Target { window, own };
   explicit Canvas(Target target);
 
-  /// A new drawing of this size, at least 0 each; the viewport is all of it. To be called before anything is drawn.
-  /// Throws ContextError when a framebuffer cannot be so large.
+  /// Begins a drawing of this size, at least 0 each; the viewport is the whole drawing. Call it before anything is
+  /// drawn. Throws ContextError if a framebuffer cannot be that large.
   void Begin(int width, int height, const R2::Color& background);
-  /// The viewport in one color, with nothing in it any more.
+  /// Clears the viewport to one color.
   void Fill(const R2::Color& color) const;
-  /// What follows is drawn there, and clipped to it.
+  /// Restricts further drawing to a viewport.
   void SetViewport(int x, int y, int width, int height);
-  /// What follows is clipped to that rectangle, until the next viewport.
+  /// Clips further drawing to that rectangle, until the next viewport.
   void Clip(int x, int y, int width, int height) const { glScissor(x, y, width, height); }
-  /// From here on, and back: all of the drawing instead of the viewport.
+  /// Restores the whole drawing as the viewport.
   void UseWhole() const { Apply({0, 0, width_, height_}); }
   void UseViewport() const { Apply(viewport_); }
-  /// The drawing so far, at least one pixel of it; each channel a byte / 255. In a window before it is shown.
+  /// Returns the drawing so far, at least one pixel of it; each channel is a byte / 255. In a window, call it before
+  /// Show.
   R2::Image Read() const;
 
-  /// Waits until all of the drawing is done.
+  /// Waits until the drawing is complete.
   static void Finish() { glFinish(); }
 
   int Width() const { return width_; }
@@ -60,7 +61,7 @@ class Canvas {
   Viewport viewport_;
 };
 
-/// Saves what is being drawn into and the viewport, and restores both at its end.
+/// Saves the target and the viewport, and restores both at its end.
 class KeptTarget {
  public:
   KeptTarget();
@@ -68,7 +69,7 @@ class KeptTarget {
   KeptTarget(const KeptTarget&) = delete;
   KeptTarget& operator=(const KeptTarget&) = delete;
 
-  /// x, y, width, height
+  /// The viewport: x, y, width, height.
   const std::array<GLint, 4>& Viewport() const { return viewport_; }
 
  private:
@@ -76,7 +77,7 @@ class KeptTarget {
   std::array<GLint, 4> viewport_{}, clip_{};
 };
 
-/// Whether the current target encodes in sRGB itself, so that blending is done in linear light.
+/// Returns true if the current target encodes in sRGB itself, so that blending uses linear light.
 bool CanEncodeSrgb();
 
 }  // namespace ray

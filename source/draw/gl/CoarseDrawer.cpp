@@ -9,7 +9,7 @@
 namespace ray {
 namespace {
 
-// A triangle over all of the viewport.
+// A triangle over the whole viewport.
 constexpr const char* vertex_shader = R"(#version 330 core
 out vec2 place;
 void main() {
@@ -51,7 +51,7 @@ void CoarseDrawer::Fit(int width, int height, bool is_srgb) const {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, small_->depths.Name(), 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     throw ContextError("cannot draw " + std::to_string(width) + " x " + std::to_string(height) +
-                       " pixels beside the window; the driver rejects the framebuffer");
+                       " pixels off screen; the driver rejects the framebuffer");
 }
 
 bool CoarseDrawer::FitSamples(int width, int height, bool is_srgb) const {
@@ -95,7 +95,7 @@ bool CoarseDrawer::DrawSamples(const std::function<void()>& draw) const {
   draw();
   glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_->framebuffer.Name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, small_->framebuffer.Name());
-  // Means are of what a screen shows, as those of an image's bytes would be.
+  // The means are of displayed values, as those of an image's bytes would be.
   glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   return true;
 }

@@ -8,15 +8,15 @@
 
 namespace ray {
 
-/// Draws in fewer pixels than there are, and enlarges that; or with several samples per pixel, and takes their mean.
-/// Colors are smooth then, and depths those of one place, so that what is drawn over it is hidden where it should be.
+/// Draws with fewer pixels and enlarges the result, or with several samples per pixel and averages them. Averaged
+/// colors are smooth, while depths are those of one place, so that later drawing is hidden correctly.
 class CoarseDrawer {
  public:
-  /// `draw` fills all of a viewport, one pixel for step x step of the present one, at least 1, over which it is then
-  /// laid. Throws ContextError when the driver rejects such a framebuffer or the shader.
+  /// Draws with one pixel for step x step of the current viewport, at least 1, and enlarges the result over it. `draw`
+  /// fills a whole viewport. Throws ContextError if the driver rejects such a framebuffer or the shader.
   void Draw(int step, const std::function<void()>& draw) const;
-  /// `draw` fills all of the present viewport, with samples_of_smooth per pixel, or as many as the driver has, which
-  /// may be one.
+  /// Draws with samples_of_smooth per pixel, or as many as the driver supports, which may be one. `draw` fills the
+  /// whole current viewport.
   void DrawSmoothly(const std::function<void()>& draw) const;
   static constexpr int samples_of_smooth = 4;
 
@@ -35,17 +35,17 @@ class CoarseDrawer {
     bool is_srgb = false, is_complete = false;
   };
   void Fit(int width, int height, bool is_srgb) const;
-  /// Whether the driver accepts them.
+  /// Returns true if the driver accepts the samples.
   bool FitSamples(int width, int height, bool is_srgb) const;
-  /// Whether it drew them, and left their means in small_.
+  /// Draws the samples and stores their means in small_. Returns false if the driver cannot.
   bool DrawSamples(const std::function<void()>& draw) const;
   void Enlarge() const;
 
-  // Made when they are needed first.
+  // Created on first use.
   mutable std::unique_ptr<Small> small_;
   mutable std::unique_ptr<Samples> samples_;
   mutable std::unique_ptr<ShaderProgram> enlargement_;
-  VertexArray nothing_;  // corners are made of their numbers
+  VertexArray nothing_;  // corners are computed from their numbers
 };
 
 }  // namespace ray

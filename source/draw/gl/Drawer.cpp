@@ -5,23 +5,23 @@
 namespace ray {
 namespace {
 
-constexpr double hidden_lines = 0.3;  // of their alpha is left where they are behind something
-constexpr double lit_width = 3;       // pixels
-constexpr int slider_width = 2;       // pixels
+constexpr double hidden_lines = 0.3;  // factor of the alpha of hidden lines
+constexpr double lit_width = 3;       // in pixels
+constexpr int slider_width = 2;       // in pixels
 constexpr R2::Color slider_color{1, 1, 1};
 constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
-PictureLook LookOf(const FrameState::Picture& picture) {
-  return {.exposure = picture.exposure.factor,
-          .srgb = picture.exposure.srgb,
-          .truncated = picture.exposure.quantization == R2::Quantization::truncated,
-          .rows = picture.rows,
-          .alpha = picture.opacity};
+ImageLook LookOf(const FrameState::ShownImage& shown) {
+  return {.exposure = shown.exposure.factor,
+          .srgb = shown.exposure.srgb,
+          .truncated = shown.exposure.quantization == R2::Quantization::truncated,
+          .rows = shown.rows,
+          .alpha = shown.opacity};
 }
 
 int Whole(double pixels) { return static_cast<int>(std::lround(pixels)); }
 
-/// From pixels of a view to the square from -1 to 1.
+/// Maps pixels of a view to the square from -1 to 1.
 std::array<std::array<float, 3>, 4> CornersOf(const PixelBox& box, const DrawingSize& view) {
   const auto x = [&](double at) { return static_cast<float>(2 * at / view.width - 1); };
   const auto y = [&](double at) { return static_cast<float>(2 * at / view.height - 1); };
@@ -35,28 +35,28 @@ std::array<std::array<float, 3>, 4> CornersOf(const PixelBox& box, const Drawing
 template <typename List, typename GpuList, typename Uploader>
 GpuList& Drawer::Upload(Slot<List, GpuList>& slot, const std::shared_ptr<const List>& list, const Uploader& uploader) {
   if (slot.list != list) {
-    slot.uploaded.reset();  // first, so that both are never there at once
+    slot.uploaded.reset();  // first, so that both never exist at once
     slot.uploaded = uploader.Upload(*list);
     slot.list = list;
   }
   return *slot.uploaded;
 }
 
-void Drawer::Fit(PictureSlot& slot, int width, int height) {
+void Drawer::Fit(ImageSlot& slot, int width, int height) {
   if (slot.uploaded && slot.uploaded->width == width && slot.uploaded->height == height) return;
   slot.uploaded.reset();
-  slot.uploaded = painter_.pictures.Make(width, height);
+  slot.uploaded = painter_.images.Make(width, height);
 }
 
-const GpuPicture& Drawer::Upload(PictureSlot& slot, const FrameState::Picture& picture) {
-  if (picture.image)
-    UploadImage(slot, picture.image);
+const GpuImage& Drawer::Upload(ImageSlot& slot, const FrameState::ShownImage& shown) {
+  if (shown.image)
+    UploadImage(slot, shown.image);
   else
-    UploadFrame(slot, *picture.frame, picture.number, picture.rows < 0 ? picture.frame->Height() : picture.rows);
+    UploadFrame(slot, *shown.frame, shown.number, shown.rows < 0 ? shown.frame->Height() : shown.rows);
   return *slot.uploaded;
 }
 
-void Drawer::UploadFrame(PictureSlot& slot, const Frame& frame, std::uint64_t number, int rows) {
+void Drawer::UploadFrame(ImageSlot& slot, const Frame& frame, std::uint64_t number, int rows) {
   if (slot.number != number || slot.image) {
     slot.uploaded.reset();  // a new one is black
     Fit(slot, frame.Width(), frame.Height());
@@ -67,16 +67,16 @@ void Drawer::UploadFrame(PictureSlot& slot, const Frame& frame, std::uint64_t nu
   UploadNewRows(slot, frame, rows);
 }
 
-void Drawer::UploadImage(PictureSlot& slot, const std::shared_ptr<const R2::Image>& image) {
+void Drawer::UploadImage(ImageSlot& slot, const std::shared_ptr<const R2::Image>& image) {
   if (slot.image == image) return;
   Fit(slot, image->Width(), image->Height());
-  painter_.pictures.Update(*slot.uploaded, 0, image->Height(), image->Channels());
+  painter_.images.Update(*slot.uploaded, 0, image->Height(), image->Channels());
   slot.image = image;
   slot.number = 0;
 }
 
-/// Runs of the rows below `end` that were written since the last time.
-void Drawer::UploadNewRows(PictureSlot& slot, const Frame& frame, int end) {
+/// Uploads runs of the rows below `end` that were written since the last call.
+void Drawer::UploadNewRows(ImageSlot& slot, const Frame& frame, int end) {
   for (int row = 0; row < end; ++row) {
     const int first = row;
     while (row < end && frame.Version(row) != slot.versions[static_cast<std::size_t>(row)]) {
@@ -86,7 +86,7 @@ void Drawer::UploadNewRows(PictureSlot& slot, const Frame& frame, int end) {
     if (row == first) continue;
     rows_.clear();
     frame.Copy(first, row - first, rows_);
-    painter_.pictures.Update(*slot.uploaded, first, row - first, rows_);
+    painter_.images.Update(*slot.uploaded, first, row - first, rows_);
   }
 }
 
@@ -107,15 +107,15 @@ void Drawer::DrawScene(const FrameState& state) {
   draw();
 }
 
-void Drawer::DrawPicture(const FrameState& state) {
-  const auto draw = [&](PictureSlot& slot, const FrameState::Picture& picture) {
-    painter_.pictures.DrawFlat(Upload(slot, picture), CornersOf(picture.place, state.view), LookOf(picture));
+void Drawer::DrawImage(const FrameState& state) {
+  const auto draw = [&](ImageSlot& slot, const FrameState::ShownImage& shown) {
+    painter_.images.DrawFlat(Upload(slot, shown), CornersOf(shown.place, state.view), LookOf(shown));
   };
-  if (state.picture->opacity < 1) DrawScene(state);
-  draw(picture_, *state.picture);
-  if (const auto& depths = state.picture->depths; depths.frame) {
+  if (state.covering->opacity < 1) DrawScene(state);
+  draw(covering_, *state.covering);
+  if (const auto& depths = state.covering->depths; depths.frame) {
     UploadFrame(depths_, *depths.frame, depths.number, depths.frame->Height());
-    painter_.pictures.DrawDepths(*depths_.uploaded, state.seen_from, state.clip_from_drawing, depths.unit);
+    painter_.images.DrawDepths(*depths_.uploaded, state.seen_from, state.clip_from_drawing, depths.unit);
   }
   const int width = state.view.width, height = state.view.height;
   if (state.split < 0 || state.split >= width) return;
@@ -126,7 +126,7 @@ void Drawer::DrawPicture(const FrameState& state) {
   if (state.beside) {
     draw(beside_, *state.beside);
   } else {
-    const PixelBox& place = state.picture->place;
+    const PixelBox& place = state.covering->place;
     canvas.SetViewport(Whole(place.left), state.bottom + Whole(place.bottom), Whole(place.width), Whole(place.height));
     canvas.Clip(state.split, state.bottom, width - state.split, height);
     DrawScene(state);
@@ -143,15 +143,15 @@ void Drawer::Draw(const FrameState& state) {
   canvas.Begin(state.size.width, state.size.height, state.background);
   canvas.SetViewport(0, state.bottom, state.view.width, state.view.height);
   const ClipMatrix& clip = state.clip_from_drawing;
-  const bool is_covered = state.picture.has_value();
+  const bool is_covered = state.covering.has_value();
   if (is_covered)
-    DrawPicture(state);
+    DrawImage(state);
   else
     DrawScene(state);
   if (state.shows_edges && state.faces)
     painter_.surfaces.DrawEdges(Upload(faces_, state.faces, painter_.surfaces), clip, state.edge_color);
   if (state.quad && !is_covered)
-    painter_.pictures.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
+    painter_.images.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
   const int width = state.line_width;
   lists.Draw(Upload(lines_, state.lines), clip, width, hidden_lines);
   if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, width, hidden_lines);

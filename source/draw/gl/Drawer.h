@@ -9,7 +9,7 @@
 
 namespace ray {
 
-/// Draws FrameStates. What does not change from one to the next stays on the GPU.
+/// Draws FrameStates. Data that is unchanged from one to the next stays on the GPU.
 class Drawer {
  public:
   explicit Drawer(Painter& painter) : painter_(painter) {}
@@ -29,27 +29,27 @@ class Drawer {
     return Upload(slot, lines, painter_.lists);
   }
 
-  /// A texture for an image, and which rows of which frame it holds.
-  struct PictureSlot {
+  /// A texture for an image, and the rows of a frame that it contains.
+  struct ImageSlot {
     std::uint64_t number = 0;
     std::shared_ptr<const R2::Image> image;
     std::vector<std::uint32_t> versions;
-    std::shared_ptr<GpuPicture> uploaded;
+    std::shared_ptr<GpuImage> uploaded;
   };
-  const GpuPicture& Upload(PictureSlot& slot, const FrameState::Picture& picture);
-  void UploadFrame(PictureSlot& slot, const Frame& frame, std::uint64_t number, int rows);
-  void UploadImage(PictureSlot& slot, const std::shared_ptr<const R2::Image>& image);
-  void UploadNewRows(PictureSlot& slot, const Frame& frame, int end);
+  const GpuImage& Upload(ImageSlot& slot, const FrameState::ShownImage& image);
+  void UploadFrame(ImageSlot& slot, const Frame& frame, std::uint64_t number, int rows);
+  void UploadImage(ImageSlot& slot, const std::shared_ptr<const R2::Image>& image);
+  void UploadNewRows(ImageSlot& slot, const Frame& frame, int end);
   /// Draws the surfaces and the background.
   void DrawScene(const FrameState& state);
-  /// Draws the image that covers the view, up to its slider, and the rest beside it.
-  void DrawPicture(const FrameState& state);
-  void Fit(PictureSlot& slot, int width, int height);
+  /// Draws the image that covers the view, up to its slider, and the other side of the slider.
+  void DrawImage(const FrameState& state);
+  void Fit(ImageSlot& slot, int width, int height);
 
   Painter& painter_;
   Slot<PreviewScene, GpuSurfaces> faces_;
   Slot<Lines, GpuLines> lines_, marks_, lit_, crop_, section_;
-  PictureSlot quad_, picture_, beside_, depths_;
+  ImageSlot quad_, covering_, beside_, depths_;
   std::vector<float> rows_;
 };
 

@@ -8,7 +8,7 @@
 #include "source/draw/gl/Objects.h"
 #include "source/draw/preview/PreviewScene.h"
 
-/// What lists and pictures become on the GPU.
+/// The representation of lists and images on the GPU.
 namespace ray {
 
 struct GpuSurfaces {
@@ -22,16 +22,17 @@ struct GpuSurfaces {
   R2::Color background, around;
   PreviewLights preview_lights;
   std::vector<ClipMatrix> shadow_views;  // of the first lights
-  std::optional<Texture2D> shadow_maps;  // an array of depths, one layer a view; none until first asked for
+  // an array of depths, one layer per view; created on demand
+  std::optional<Texture2D> shadow_maps;
 };
 
 struct GpuLines {
   Buffer vertices;
   VertexArray colored;
-  GLsizei count = 0;  // vertices
+  GLsizei count = 0;  // number of vertices
 };
 
-struct GpuPicture {
+struct GpuImage {
   Texture2D texture;
   int width = 0, height = 0;
 };

@@ -60,7 +60,7 @@ void ListDrawer::Draw(const GpuLines& lines, const ClipMatrix& clip_from_drawing
   if (lines.count == 0) return;
   glBindVertexArray(lines.colored.Name());
   glLineWidth(std::clamp(static_cast<float>(width), 1.0F, widest_));
-  // What is hidden comes first: the lines that are seen would hide others of the list.
+  // Hidden lines are drawn first, since visible ones would hide others of the list.
   if (hidden > 0) {
     Start(clip_from_drawing, hidden);
     glDepthFunc(GL_GREATER);

@@ -7,23 +7,23 @@
 
 namespace ray {
 
-/// Lines in the colors of their vertices.
+/// Draws lines in the colors of their vertices.
 class ListDrawer {
  public:
   ListDrawer();
 
-  /// On the GPU until the pointer goes. Throws ContextError when its memory is full.
+  /// Uploads lines, which stay on the GPU while the pointer exists. Throws ContextError if its memory is full.
   std::shared_ptr<GpuLines> Upload(const Lines& lines) const;
 
-  /// Lines of `width` pixels, or as wide as the GPU allows. What is behind something drawn before, triangles above all,
-  /// is drawn with its alpha times `hidden`, in [0, 1].
+  /// Draws lines of `width` pixels, or of the GPU's maximum width. Where they are behind earlier drawing, above all
+  /// triangles, their alpha is multiplied by `hidden`, in [0, 1].
   void Draw(const GpuLines& lines, const ClipMatrix& clip_from_drawing, double width = 1, double hidden = 0) const;
 
  private:
   void Start(const ClipMatrix& clip_from_drawing, double alpha) const;
 
   ShaderProgram program_;
-  float widest_ = 1;  // line, in pixels
+  float widest_ = 1;  // maximum line width in pixels
 };
 
 }  // namespace ray

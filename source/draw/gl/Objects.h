@@ -9,7 +9,7 @@
 
 namespace ray {
 
-/// An object of OpenGL, deleted with its owner; the context has to be current then.
+/// An object of OpenGL, deleted with its owner; the context must be current then.
 template <PFNGLGENBUFFERSPROC& generate, PFNGLDELETEBUFFERSPROC& remove>
 class Object {
  public:
@@ -38,13 +38,13 @@ inline const void* Offset(std::size_t bytes) { return reinterpret_cast<const voi
 
 GLsizeiptr Bytes(const auto& list) { return static_cast<GLsizeiptr>(list.size() * sizeof(list[0])); }
 
-/// Describes an attribute of the vertices in the bound buffer to the bound array. Whole numbers become 0..1, or -1..1.
+/// Describes an attribute of the vertices in the bound buffer to the bound array. Integers become 0..1, or -1..1.
 inline void Describe(GLuint location, GLint count, GLenum type, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(location);
   glVertexAttribPointer(location, count, type, type != GL_FLOAT, static_cast<GLsizei>(stride), Offset(offset));
 }
 
-/// Of the bound texture only the first level is read, by that filter, and nothing beyond its edges.
+/// Restricts the bound texture to its first level, read by that filter, clamped to its edges.
 inline void ReadFirstLevel(GLenum target, GLint filter) {
   for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) glTexParameteri(target, name, filter);
   for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(target, name, GL_CLAMP_TO_EDGE);

@@ -9,11 +9,12 @@
 
 namespace ray {
 
-/// Panels over the drawing. Whoever never shows them pays for no program and no texture. Every fragment takes one texel
-/// as it is, so that all contexts draw the same bytes.
+/// Draws panels over the drawing. The program and the texture are created on first use. Every fragment takes one texel
+/// without filtering, so that all contexts draw the same bytes.
 class PanelDrawer {
  public:
-  /// Over all of the canvas, whatever its viewport. Throws ContextError when the driver rejects the shader.
+  /// Draws panels over the whole canvas, regardless of its viewport. Throws ContextError if the driver rejects the
+  /// shader.
   void Draw(const PanelDrawing& panels, const Canvas& canvas);
 
  private:
@@ -26,7 +27,7 @@ class PanelDrawer {
     Texture2D sheet;
   };
 
-  std::optional<Gpu> gpu_;                 // once there was something to draw
+  std::optional<Gpu> gpu_;                 // created on first use
   std::shared_ptr<const InkSheet> sheet_;  // uploaded
 };
 

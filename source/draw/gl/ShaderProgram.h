@@ -11,8 +11,8 @@ namespace ray {
 /// Shaders in GLSL 330, compiled and linked; deleted with their owner.
 class ShaderProgram {
  public:
-  /// Throws ContextError with the first line of what the compiler said.
-  ///   name   what the program draws, for that message
+  /// Throws ContextError with the first line of the compiler's message.
+  ///   name   the drawn objects, for that message
   ShaderProgram(const char* name, const char* vertex_shader, const char* fragment_shader,
                 const char* geometry_shader = nullptr);
   ~ShaderProgram();
@@ -21,7 +21,7 @@ class ShaderProgram {
 
   void Use() const { glUseProgram(program_); }
   GLuint Name() const { return program_; }
-  /// Where a uniform is; -1, which OpenGL ignores, for one that no shader uses.
+  /// Returns the location of a uniform; -1, which OpenGL ignores, for one that no shader uses.
   GLint operator[](const char* uniform) const { return glGetUniformLocation(program_, uniform); }
 
  private:
@@ -30,7 +30,7 @@ class ShaderProgram {
 
 /// Sets a matrix of the program in use.
 void SetMatrix(GLint uniform, const ClipMatrix& matrix);
-/// An array of them.
+/// Sets an array of matrices.
 void SetMatrices(GLint uniform, std::span<const ClipMatrix> matrices);
 
 }  // namespace ray

@@ -20,14 +20,14 @@ uniform mat4 clip_from_drawing;
 void main() { gl_Position = clip_from_drawing * vec4(at, 1); }
 )";
 
-// Edges of triangles that are small on the screen would leave nothing else to be seen: they are the fainter, the
-// smaller. Those with a corner behind the eye are large.
+// The edges of triangles that are small on the screen would cover everything else, so they are fainter. Triangles with
+// a corner behind the eye count as large.
 constexpr const char* edge_geometry_shader = R"(#version 330 core
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 uniform vec2 half_size;  // of the viewport, in pixels
 flat out float strength;
-const float opaque_from = 12.0;  // pixels of the longest edge
+const float opaque_from = 12.0;  // in pixels of the longest edge
 const float faintest = 0.05;
 void main() {
   vec2 at[3];
@@ -55,10 +55,10 @@ void main() { color = vec4(ink, strength); }
 
 constexpr GLuint at_location = 0, normal_location = 1, uv_location = 2, color_location = 3, lights_binding = 0;
 constexpr GLint paint_unit = 0, environment_unit = 1, shadows_unit = 2;
-constexpr int most_texels = 2048;   // per side of a texture or environment: 24 MB in half precision
-constexpr GLsizei map_side = 1024;  // texels; a scene seen from outside is then resolved to 1/500 of its radius
+constexpr int most_texels = 2048;   // on a side of a texture or environment: 24 MB in half precision
+constexpr GLsizei map_side = 1024;  // texels; resolves a scene seen from outside to 1/500 of its radius
 
-constexpr float most_half = 65504;  // that a half-precision float can hold
+constexpr float most_half = 65504;  // maximum of a half-precision float
 
 void Set(const ShaderProgram& program, const char* name, const R2::Color& color) {
   glUniform3fv(program[name], 1, AsFloats(color).data());
@@ -87,8 +87,8 @@ bool IsOfBytes(const R2::Image& image) {
   });
 }
 
-/// Fills the texture bound, and its smaller levels, for which llvmpipe would first compile a shader. In bytes where
-/// nothing is lost by it.
+/// Fills the bound texture, and its smaller levels, for which llvmpipe would otherwise compile a shader. Uses bytes if
+/// they lose nothing.
 void FillTexture(const R2::Image& original) {
   R2::Image image = Shrunk(original, most_texels, most_texels);
   const GLint format = IsOfBytes(image) ? GL_RGB8 : GL_RGB16F;
@@ -112,11 +112,11 @@ void DrawTriangles(const SurfaceBatch& batch) {
 
 void UploadTriangles(GpuSurfaces& uploaded, const Surfaces& surfaces) {
   uploaded.batches = surfaces.batches;
-  // Batches that one program shades follow each other, so that programs are changed rarely.
+  // Batches of the same program are adjacent, so that programs are changed rarely.
   std::ranges::stable_sort(uploaded.batches, {},
                            [](const SurfaceBatch& batch) { return std::pair(batch.is_clear, Mirrors(batch)); });
   assert(std::ranges::all_of(surfaces.indices, [&](auto i) { return i < surfaces.vertices.size(); }));
-  glBindVertexArray(uploaded.shaded.Name());  // indices belong to the array bound when they come
+  glBindVertexArray(uploaded.shaded.Name());  // indices belong to the array bound when they are set
   const auto describe = [](const Buffer& buffer, const auto& list, GLuint location, GLint count, GLenum type,
                            std::size_t offset = 0) {
     if (list.empty()) return;
@@ -158,10 +158,10 @@ void DrawOpaque(const SurfaceBatch& batch) {
   glDisable(GL_CULL_FACE);
 }
 
-/// The far side of a solid first; without writing depth, so that what comes later is seen behind.
+/// Draws the far side of a solid first, without writing depth, so that later drawing is visible behind.
 void DrawClear(const SurfaceBatch& batch) {
   glEnable(GL_BLEND);
-  // Light that comes through is multiplied color by color.
+  // Transmitted light is multiplied per channel.
   glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ONE, GL_ZERO);
   glDepthMask(GL_FALSE);
   glEnable(GL_CULL_FACE);
@@ -193,7 +193,7 @@ std::shared_ptr<GpuSurfaces> SurfaceDrawer::Upload(const PreviewScene& preview) 
   if (preview.environment) {
     glBindTexture(GL_TEXTURE_2D, uploaded->environment.emplace().Name());
     FillTexture(preview.environment->Map());
-    // A texel has one color, as the tracer sees it.
+    // A texel has one color, as in the tracer.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   }
@@ -209,7 +209,7 @@ void SurfaceDrawer::DrawShadows(GpuSurfaces& surfaces) const {
   glBindTexture(GL_TEXTURE_2D_ARRAY, surfaces.shadow_maps.emplace().Name());
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, map_side, map_side,
                static_cast<GLsizei>(surfaces.shadow_views.size()), 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
-  ReadFirstLevel(GL_TEXTURE_2D_ARRAY, GL_LINEAR);  // between the answers of four texels
+  ReadFirstLevel(GL_TEXTURE_2D_ARRAY, GL_LINEAR);  // interpolates the results of four texels
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glActiveTexture(GL_TEXTURE0);
   CheckMemory();
@@ -224,7 +224,7 @@ void SurfaceDrawer::DrawShadows(GpuSurfaces& surfaces) const {
   glViewport(0, 0, map_side, map_side);
   glDisable(GL_SCISSOR_TEST);
   glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(2, 2);  // so that a surface does not shade itself where a texel is seen aslant
+  glPolygonOffset(2, 2);  // so that a surface does not shadow itself where a texel is seen at an angle
   glBindVertexArray(surfaces.plain.Name());
   for (std::size_t i = 0; i < surfaces.shadow_views.size(); ++i) {
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, surfaces.shadow_maps->Name(), 0,
@@ -250,7 +250,7 @@ const ShaderProgram& SurfaceDrawer::ProgramFor(const SurfaceFeatures& features) 
   return program;
 }
 
-/// Sets what does not differ from material to material.
+/// Sets the uniforms that are independent of materials.
 void SurfaceDrawer::UseView(const ShaderProgram& program, const GpuSurfaces& surfaces, const PreviewView& view) const {
   program.Use();
   Set(program, "exposure", view.exposure.factor);
@@ -271,7 +271,7 @@ void SurfaceDrawer::DrawSky(const GpuSurfaces& surfaces, const PreviewView& view
   UseView(*sky_, surfaces, view);
   glUniform3fv((*sky_)["directions"], 3, view.directions[0].data());
   glBindVertexArray(nothing_.Name());
-  glDisable(GL_DEPTH_TEST);  // which leaves depth unwritten as well
+  glDisable(GL_DEPTH_TEST);  // also disables depth writes
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glEnable(GL_DEPTH_TEST);
 }
@@ -285,7 +285,7 @@ void SurfaceDrawer::UseMaterial(const ShaderProgram& program, const GpuSurfaces&
   Set(program, "kr", m.kr);
   Set(program, "kt", m.kt);
   Set(program, "exponent", m.n);
-  constexpr double rim = 0.25;  // brightness at the rim of a full mirror that shows nothing
+  constexpr double rim = 0.25;  // brightness at the rim of a full mirror that reflects nothing
   Set(program, "rim", rim * std::max(Luminance(m.kr), Luminance(m.kt)));
   glUniform2f(program["texture_scale"], static_cast<float>(m.texture_scale.x), static_cast<float>(m.texture_scale.y));
   glUniform1i(program["is_painted"], m.texture ? 1 : 0);
@@ -318,10 +318,10 @@ void SurfaceDrawer::Draw(GpuSurfaces& surfaces, const ClipMatrix& clip_from_draw
   if (shadows) DrawShadows(surfaces);
   const bool encodes = view.exposure.srgb && CanEncodeSrgb();
   if (encodes) glEnable(GL_FRAMEBUFFER_SRGB);
-  // Moved back a little, by their slope and the smallest step of depth, so that lines on them are seen.
+  // Moved back slightly, by their slope and the smallest step of depth, so that lines on them are visible.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 1);
-  glEnable(GL_DEPTH_CLAMP);  // what has no end goes on behind the farthest depth
+  glEnable(GL_DEPTH_CLAMP);  // infinite shapes continue behind the farthest depth
   glDisable(GL_BLEND);
   glBindVertexArray(surfaces.shaded.Name());
   SurfaceFeatures features{surfaces.has_colors || !surfaces.textures.empty(), surfaces.environment.has_value(), false,

@@ -13,15 +13,15 @@ namespace ray {
 /// Draws previews of scenes.
 class SurfaceDrawer {
  public:
-  /// Returns what stays on the GPU until the pointer goes. Throws ContextError when its memory is full.
+  /// Uploads a preview, which stays on the GPU while the pointer exists. Throws ContextError if its memory is full.
   std::shared_ptr<GpuSurfaces> Upload(const PreviewScene& preview) const;
-  /// Draws the environment over all of the viewport; nothing for a scene without one. To be called first.
+  /// Draws the environment over the whole viewport, if the scene has one. Call it first.
   void DrawSky(const GpuSurfaces& surfaces, const PreviewView& view) const;
-  /// Draws opaque surfaces, then clear ones without writing depth. Throws ContextError when the driver rejects a shader
+  /// Draws opaque surfaces, then clear ones without writing depth. Throws ContextError if the driver rejects a shader
   /// or its memory is full.
-  ///   shadows   whether the strongest lights cast shadows
+  ///   shadows   true if the strongest lights cast shadows
   void Draw(GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const PreviewView& view, bool shadows) const;
-  /// Draws the edges of triangles in one color, those of triangles that are small on the screen the fainter.
+  /// Draws the edges of triangles in one color; those of triangles that are small on the screen are fainter.
   void DrawEdges(const GpuSurfaces& surfaces, const ClipMatrix& clip_from_drawing, const Rgba& color) const;
 
  private:
@@ -34,7 +34,7 @@ class SurfaceDrawer {
   void UseMaterial(const ShaderProgram& program, const GpuSurfaces& surfaces, const SurfaceMaterial& material) const;
 
   VertexArray nothing_;
-  // Made when a scene first asks for them, since to compile them all would take longer than to draw.
+  // Created when a scene first needs them, since compiling all would take longer than drawing.
   struct Made {
     SurfaceFeatures features;
     std::unique_ptr<ShaderProgram> program;

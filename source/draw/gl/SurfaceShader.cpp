@@ -27,9 +27,9 @@ uniform mat4 clip_from_drawing;
 void main() { gl_Position = clip_from_drawing * vec4(at, 1); }
 )";
 
-// A triangle over all of the viewport.
+// A triangle over the whole viewport.
 constexpr const char* sky_vertex_shader = R"(
-uniform vec3 directions[3];  // towards the lower left corner; from there to the right edge; and to the upper one
+uniform vec3 directions[3];  // to the lower left corner; from there to the right edge, and to the upper one
 out vec3 direction;
 void main() {
   vec2 corner = vec2(gl_VertexID == 1 ? 2 : 0, gl_VertexID == 2 ? 2 : 0);
@@ -38,7 +38,7 @@ void main() {
 }
 )";
 
-// What comes from a direction. Environment::Radiance says how the map lies.
+// Returns the radiance from a direction. Environment::Radiance defines the orientation of the map.
 constexpr const char* environment = R"(
 const float pi = 3.14159265;
 uniform sampler2D environment;
@@ -58,7 +58,7 @@ vec3 Seen(vec3 direction) { return background; }
 constexpr const char* screen = R"(
 uniform float exposure;
 uniform int srgb;
-// R2::EncodeSrgb; clamping to 0..1 comes with the byte.
+// R2::EncodeSrgb; the conversion to bytes clamps to 0..1.
 vec3 Shown(vec3 light) {
   vec3 c = clamp(exposure * light, 0.0, 1.0);
   if (srgb == 0) return c;
@@ -72,18 +72,18 @@ out vec4 color;
 void main() { color = vec4(Shown(Seen(direction)), 1); }
 )";
 
-// The light of a PreviewLight, and whether it arrives: what its view has before the point, if that is in view.
+// The light of a PreviewLight, and whether it arrives: the surfaces in its view before the point, if that is in view.
 constexpr const char* lights = R"(
 struct Light {
   vec4 color;      // and the exponent
-  vec4 place;      // and 1 where it is infinitely far
+  vec4 place;      // and 1 if it is infinitely far
   vec4 direction;  // and the least cosine
   vec4 falloff;    // constant, linear, quadratic
 };
 layout(std140) uniform Lights { Light lights[8]; };
 uniform int light_count;
 
-// L is set to the unit vector towards the light.
+// Sets L to the unit vector towards the light.
 vec3 Irradiance(Light light, vec3 at, out vec3 L) {
   bool is_infinite = light.place.w > 0.0;
   vec3 way = is_infinite ? light.place.xyz : light.place.xyz - at;
@@ -122,11 +122,10 @@ uniform float exponent, rim;
 uniform sampler2D paint;
 uniform int has_colors, is_painted, is_ambient_painted;
 layout(location = 0, index = 0) out vec4 color;
-layout(location = 0, index = 1) out vec4 behind;  // how much of what is behind is seen
+layout(location = 0, index = 1) out vec4 behind;  // visibility of the background
 void main() {
   vec3 V = normalize(eye - position);
-  // At the outline of a mesh pixels show the back of a triangle whose normal, bent towards those around it, is a
-  // front's.
+  // At the outline of a mesh, pixels show the back of a triangle whose interpolated normal faces the viewer.
   bool is_front = gl_FrontFacing || dot(outward, V) > 0.0;
   vec3 front = normalize(outward), N = is_front ? front : -front;
   vec3 painted = vec3(1);
@@ -147,7 +146,7 @@ void main() {
   }
 #ifdef MIRRORS
   sum += kr * Seen(reflect(-V, N));
-  // Mirrors and glass that show nothing are seen by their rim.
+  // Mirrors and glass that show nothing are visible by their rim.
   sum += max(rim - max(sum.r, max(sum.g, sum.b)), 0.0) * pow(1.0 - clamp(dot(N, V), 0.0, 1.0), 3.0);
 #endif
   color = vec4(Shown(sum), 1);

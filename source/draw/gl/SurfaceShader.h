@@ -4,17 +4,17 @@
 
 namespace ray {
 
-/// What a scene asks of the shader of its surfaces; what it does not ask for is not compiled, since a renderer in
-/// software runs both sides of each branch.
+/// The features of a scene that the shader of its surfaces must support. Others are not compiled, since a software
+/// renderer runs both sides of each branch.
 struct SurfaceFeatures {
   bool textures = false, environment = false, mirrors = false, shadows = false;
   friend bool operator==(const SurfaceFeatures&, const SurfaceFeatures&) = default;
 };
 
-/// The shaders of surfaces, and of the environment behind them, in GLSL 330.
+/// Return the shaders of surfaces, and of the environment behind them, in GLSL 330.
 std::string SurfaceVertexShader();
 std::string SurfaceFragmentShader(const SurfaceFeatures& features);
-/// For shadow maps: nothing but depth.
+/// Return the shaders of shadow maps, which write only depth.
 std::string DepthVertexShader();
 std::string DepthFragmentShader();
 std::string SkyVertexShader();

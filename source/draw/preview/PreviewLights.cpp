@@ -13,15 +13,15 @@
 namespace ray {
 namespace {
 
-/// Attenuation in the world, of distances in the drawing space.
+/// Sets the attenuation in the world for distances in the drawing space.
 void SetFalloff(PreviewLight& light, double constant, double linear, double quadratic, double radius) {
   light.constant = constant;
   light.linear = linear * radius;
   light.quadratic = quadratic * radius * radius;
 }
 
-/// A light of the scene language by the arguments that would make it again. A kind that is not known here shines as its
-/// bound says, everywhere alike.
+/// Returns a light of the scene language, from the arguments that would create it again. An unknown kind shines
+/// uniformly, as its bound says.
 PreviewLight Known(const Light& light, const DrawingSpace& space) {
   const R3::Recipe recipe = light.MadeFrom();
   const std::vector<double>& a = recipe.arguments;
@@ -50,12 +50,12 @@ PreviewLight Known(const Light& light, const DrawingSpace& space) {
   return known;
 }
 
-/// Something that emits, from its middle.
+/// An emitter, represented by its middle.
 struct Emitter {
   R2::Color emission;
   R3::Point middle;
-  double area = 0;  // as it looks from somewhere
-  int lamps = 1;    // each of which shines with its full color, where emission is no radiance
+  double area = 0;  // as seen from the middle of the scene
+  int lamps = 1;    // number of lights, each with the full color if emission is not a radiance
 };
 
 PreviewLight LightOf(const Emitter& emitter, bool is_radiance, const DrawingSpace& space) {
@@ -67,13 +67,13 @@ PreviewLight LightOf(const Emitter& emitter, bool is_radiance, const DrawingSpac
   return light;
 }
 
-/// The lamps of one instance, which follow each other, are one emitter.
+/// Returns the emitters of meshes. The lights of one instance, which follow each other, are one emitter.
 std::vector<Emitter> EmittingMeshes(const World& world, EmissiveMeshes meshes) {
   std::vector<Emitter> emitters;
   const Instance* last = nullptr;
   for (const TriangleLamp& lamp : TriangleLamps(world, meshes)) {
     const R3::Point middle = lamp.Bound().center;
-    const double area = lamp.Area() / 2;  // turned this way and that, a triangle looks half as large as it is
+    const double area = lamp.Area() / 2;  // on average over orientations, a triangle's visible area is half of its own
     if (lamp.instance() != last) {
       emitters.push_back({lamp.Emission(), middle, area, 1});
     } else {
@@ -87,8 +87,8 @@ std::vector<Emitter> EmittingMeshes(const World& world, EmissiveMeshes meshes) {
   return emitters;
 }
 
-/// What arrives at the middle of the scene; no nearer than a tenth of its radius, where every lamp would be the
-/// strongest.
+/// Returns the light that arrives at the middle of the scene. Distances are at least a tenth of its radius, where any
+/// light would be the strongest.
 double Strength(const PreviewLight& light) {
   constexpr double nearest = 0.1;
   const double power = Luminance(light.color);
@@ -131,7 +131,7 @@ PreviewLights PreviewLightsOf(const World& world, const RenderSettings& settings
 }
 
 ClipMatrix ShadowViewOf(const PreviewLight& light) {
-  constexpr double reach = 1.02;  // of the scene from its middle, in its radii, and a little more
+  constexpr double reach = 1.02;  // distance from the scene's middle, in its radii, with a margin
   constexpr double widest = 75 * std::numbers::pi / 180;  // from the middle of a view to its edge
   constexpr double nearest_of_farthest = 1e-3;            // with 24 bits of depth
   const auto as_vector = [](const std::array<float, 3>& v) { return R3::Vector{v[0], v[1], v[2]}; };

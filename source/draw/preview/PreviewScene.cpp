@@ -18,22 +18,22 @@
 namespace ray {
 namespace {
 
-// The finest leaves out less than a third of a pixel of a circle as wide as a drawing of 512 pixels:
-// 256 (1 - cos(pi / 64)).
+// The finest level deviates by less than a third of a pixel from a circle as wide as a drawing of 512 pixels: 256 (1 -
+// cos(pi / 64)).
 constexpr int finest = 64, coarsest = 6;
 constexpr std::int64_t box_triangles = 12;
-constexpr std::int64_t least_simplified = 200;  // triangles of a mesh, below which it would be a lump
+constexpr std::int64_t least_simplified = 200;  // triangles of a mesh; with fewer it would be unrecognizable
 
-/// How finely a preview draws.
+/// The detail of a preview.
 struct Detail {
-  int fineness = 0;       // of shapes, as Shape::Tessellate takes it; 0: boxes
-  double mesh_share = 1;  // of the triangles of meshes, by simplifying them
-  double box_share = 1;   // of boxes, by leaving some out
+  int fineness = 0;       // of shapes, as in Shape::Tessellate; 0: boxes
+  double mesh_share = 1;  // share of the triangles of meshes that simplification keeps
+  double box_share = 1;   // share of boxes that are drawn
 };
 
 bool IsDrawn(const Instance& instance) { return !instance.shape->IsDegenerate(); }
 
-/// The triangles that are drawn of a mesh; 0 for its box.
+/// Returns the number of drawn triangles of a mesh; 0 for its box.
 std::int64_t TrianglesOf(const Instance& mesh, const Detail& detail) {
   const std::int64_t all = mesh.mesh->Elements();
   if (detail.mesh_share >= 1 || all <= box_triangles) return all;
@@ -65,7 +65,7 @@ Detail DetailFor(const World& world, const PreviewBudget& budget) {
   return detail;
 }
 
-/// Selects an even share of things that come one by one.
+/// Selects an even share of a sequence of objects.
 class Share {
  public:
   explicit Share(double share) : share_(share) {}
@@ -79,7 +79,7 @@ class Share {
   std::int64_t seen_ = 0;
 };
 
-/// The six sides of a box with only its eight corners.
+/// Returns the six sides of a box with only its eight corners.
 R3::MeshData CornersOf(const R3::Box& box) {
   R3::MeshData data;
   for (int i = 0; i < 8; ++i) {
@@ -87,7 +87,8 @@ R3::MeshData CornersOf(const R3::Box& box) {
     data.normals.push_back(AsNormal(Unit(R3::Vector{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0})));
   }
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    // Bits of a corner's number: with the right hand, from `right` to `upward` turns to the high side of `axis`.
+    // Bits of a corner's number: with the right hand, rotation from `right` to `upward` points to the high side of
+    // `axis`.
     const std::uint32_t high = 1u << axis, right = 1u << (axis + 1) % 3, upward = 1u << (axis + 2) % 3;
     data.triangles.push_back({high, high | right, high | right | upward});
     data.triangles.push_back({high, high | right | upward, high | upward});
@@ -97,7 +98,7 @@ R3::MeshData CornersOf(const R3::Box& box) {
   return data;
 }
 
-/// A unit normal, in the units of a vertex.
+/// Returns a unit normal in the units of a vertex.
 std::array<std::int16_t, 4> Packed(const R3::Vector& normal) {
   const auto channel = [](double c) { return static_cast<std::int16_t>(c * 32767); };
   return {channel(normal.x), channel(normal.y), channel(normal.z), 0};
@@ -116,7 +117,7 @@ SurfaceMaterial MaterialFor(const Material& m, const Scene& scene) {
   return look;
 }
 
-/// A batch while it grows.
+/// A batch while it is built.
 struct Draft {
   SurfaceBatch batch;
   std::vector<std::uint32_t> indices;
@@ -134,7 +135,7 @@ class Builder {
 
   PreviewScene Run() {
     Share share(detail_.box_share);
-    const R3::Shape* last = nullptr;  // instances of one shape often follow each other
+    const R3::Shape* last = nullptr;  // instances of one shape are often adjacent
     for (const Instance& instance : world_.Instances()) {
       if (!IsDrawn(instance)) continue;
       if (!instance.is_bounded) {
@@ -161,8 +162,8 @@ class Builder {
   }
 
  private:
-  /// A piece of what has no end, made so large that its edge cannot be told from the horizon: at 10,000 radii, an eye
-  /// one radius above it sees the edge 1e-4 radians below that.
+  /// Returns a piece of an infinite shape, extended so that its edge is indistinguishable from the horizon: at 10,000
+  /// radii, an eye one radius above it sees the edge 1e-4 radians below the horizon.
   R3::MeshData Spread(R3::MeshData data, const Instance& instance) const {
     const R3::Transform& world_from_local = world_.Frames()[instance.frame];
     const R3::Point &first = data.positions.front(), middle = first + 0.5 * (data.positions.back() - first);
@@ -221,7 +222,7 @@ class Builder {
     }
   }
 
-  /// The material of the part whose surface is nearest to the middle of a triangle, on the line across it.
+  /// Returns the material of the part whose surface is nearest to the middle of a triangle, on the line across it.
   const Material& MaterialBeneath(const Instance& instance, const R3::MeshData& data, std::size_t triangle) const {
     const auto& corners = data.triangles[triangle];
     const R3::Point& a = data.positions[corners[0]];
@@ -284,7 +285,7 @@ class Builder {
   PreviewScene preview_;
 };
 
-/// The mean over all directions.
+/// Returns the mean over all directions.
 R2::Color MeanRadiance(const Environment& environment) {
   constexpr int columns = 64;
   const R2::Image map = Shrunk(environment.Map(), columns, columns / 2);

@@ -7,17 +7,17 @@
 
 namespace ray {
 
-/// How radiance becomes what a screen is given.
+/// The conversion of radiance to displayed values.
 struct Exposure {
   double factor = 1;
   bool srgb = false;
   R2::Quantization quantization = R2::Quantization::rounded;  // of pixels of images
 };
 
-/// From where a scene is seen, in its drawing space.
+/// The viewpoint of a scene, in its drawing space.
 struct PreviewView {
   std::array<float, 3> eye{};
-  /// Towards the lower left corner; what is to be added for the lower right, and for the upper left one.
+  /// The vector to the lower left corner, and the vectors from there to the lower right and the upper left one.
   std::array<std::array<float, 3>, 3> directions{};
   Exposure exposure;
 };

@@ -11,7 +11,7 @@
 namespace ray {
 namespace {
 
-/// Numbers the cells of a grid that hold vertices, in the order in which the vertices name them.
+/// Numbers the cells of a grid that contain vertices, in the order of the vertices.
 class Clusters {
  public:
   Clusters(const std::vector<R3::Point>& positions, int across) {
@@ -49,7 +49,7 @@ std::vector<R3::Point> MeanPositions(const R3::MeshData& mesh, const Clusters& c
   return means;
 }
 
-/// Sums of the normals of the vertices, or of the triangles by their area where the vertices have none.
+/// Returns sums of the normals of the vertices, or of the triangles by their area if the vertices have none.
 std::vector<R3::Normal> SumsOfNormals(const R3::MeshData& mesh, const Clusters& clusters) {
   std::vector<R3::Vector> sums(clusters.count);
   const auto add = [&](std::size_t vertex, const R3::Vector& normal) {
@@ -71,7 +71,7 @@ std::vector<R3::Normal> SumsOfNormals(const R3::MeshData& mesh, const Clusters& 
   return normals;
 }
 
-/// For each cluster what its first vertex has; empty where vertices have nothing.
+/// Returns the value of each cluster's first vertex; empty if vertices have no values.
 template <typename Value>
 std::vector<Value> OfFirst(const std::vector<Value>& of_vertices, const Clusters& clusters) {
   std::vector<Value> first;
@@ -83,10 +83,10 @@ std::vector<Value> OfFirst(const std::vector<Value>& of_vertices, const Clusters
 }  // namespace
 
 R3::MeshData SimplifiedMesh(const R3::MeshData& mesh, std::int64_t triangles) {
-  constexpr double least_cells = 4, most_cells = 1e6;  // across; three numbers of cells fit 64 bits
+  constexpr double least_cells = 4, most_cells = 1e6;  // across; three numbers of cells fit into 64 bits
   if (static_cast<std::int64_t>(mesh.triangles.size()) <= triangles) return mesh;
-  // A surface about as wide as the grid, seen twice, passes through some 3 cells for each of its square, which has
-  // two triangles each.
+  // A surface about as wide as the grid, counted on both sides, passes through about 3 cells per square, which has two
+  // triangles each.
   const double cells = std::sqrt(static_cast<double>(triangles) / 6);
   const Clusters clusters(mesh.positions, static_cast<int>(std::clamp(cells, least_cells, most_cells)));
   R3::MeshData simple;

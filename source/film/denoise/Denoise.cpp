@@ -14,35 +14,36 @@
 namespace ray {
 namespace {
 
-/// Both streams.
+/// One image for each stream.
 using Pair = std::array<Pixels<Rgb>, 2>;
 
-// Noise is averaged over these many pixels around each; the hole keeps a pixel's own noise from making its neighbors
-// seem like it. Both must be at least a patch.
+// Noise is averaged over noise_radius pixels around each pixel. The hole keeps a pixel's own noise from making its
+// neighbors look similar to it. Both must be at least a patch.
 constexpr int noise_radius = 3, noise_hole = 1;
-// Filters are chosen by their errors around a pixel, and blended over choices around it: as far as those reach, the
-// hole keeps a pixel's own noise from choosing.
+// Filters are chosen by their errors around a pixel, and blended by the choices up to blend_radius pixels around it.
+// The hole, which is larger, keeps a pixel's own noise from influencing these choices.
 constexpr int error_radius = 7, error_hole = 3, blend_radius = 2;
 static_assert(blend_radius < error_hole);
 static_assert(denoise_reach_of_best_guides == blend_radius + error_radius);
 static_assert(denoise_reach == denoise_reach_of_best_guides + FitTile::margin + noise_radius);
 
-/// A regression to choose from. Of strengths from 0.5 to 6, with a guide ignored or not, these two had the least error
-/// among pairs; a third filter had 3% less for half as much time again.
+/// A regression among which pixels choose. Of strengths from 0.5 to 6, with a guide ignored or not, these two had the
+/// least error of all pairs; a third filter had 3% less error in one and a half times the time.
 struct RegressionFilter {
   double strength;
-  bool ignores_guide;  // compares pixels by what is left of their color without the first guide, the color expected
+  // compares pixels by their color minus the first guide, which is the expected color
+  bool ignores_guide;
 };
 constexpr RegressionFilter regression_filters[] = {{1, false}, {2, true}};
 
-/// Light as differences are counted in: what a screen shows as it is, what is brighter by its logarithm, so that one
-/// bright sample is not all that counts.
+/// Returns the scale in which differences of light are measured: linear up to the maximum of a screen, logarithmic
+/// above, so that a single bright sample does not decide alone.
 float Compressed(float x) {
   const float size = std::abs(x);
   return size <= 1 ? x : std::copysign(1 + static_cast<float>(R1::Log(size)), x);
 }
 
-/// A picture made pixel by pixel; of_channel(x, y, k) gives a channel.
+/// Computes an image in parallel; of_channel(x, y, k) returns a channel.
 template <typename OfChannel>
 Pixels<Rgb> Made(int width, int height, const OfChannel& of_channel) {
   Pixels<Rgb> pixels(width, height);
@@ -53,7 +54,7 @@ Pixels<Rgb> Made(int width, int height, const OfChannel& of_channel) {
   return pixels;
 }
 
-/// Variance of one stream's noise: half the squared difference of both, on average.
+/// Returns the mean variance of one stream's noise: half the squared difference of both streams, averaged.
 Pixels<Rgb> NoiseOf(const Pair& pair) {
   const Pixels<Rgb> squares = Made(pair[0].Width(), pair[0].Height(), [&](int x, int y, std::size_t k) {
     const float difference = pair[0].At(x, y)[k] - pair[1].At(x, y)[k];
@@ -77,9 +78,9 @@ Pair Filtered(const Pair& colors, const Guides& guides, const RegressionFilter& 
   return result;
 }
 
-/// The squared error of the mean of two filtered streams, channel by channel, true on average. With F, G the filtered
-/// and A, B the streams, ((F - B)^2 + (G - A)^2) / 2 exceeds the mean squared error of F and of G by the variance of A
-/// or B, which is (A - B)^2 / 2; the mean of F and G has less than these by (F - G)^2 / 4.
+/// Returns the squared error of the mean of two filtered streams, per channel, unbiased. With F, G the filtered and A,
+/// B the unfiltered streams, ((F - B)^2 + (G - A)^2) / 2 exceeds the mean squared error of F and of G by the variance
+/// of A or B, which is (A - B)^2 / 2. The error of the mean of F and G is less than theirs by (F - G)^2 / 4.
 Pixels<Rgb> SquaredErrors(const Pair& filtered, const Pair& colors) {
   return Made(colors[0].Width(), colors[0].Height(), [&](int x, int y, std::size_t k) {
     const float a = Compressed(colors[0].At(x, y)[k]), b = Compressed(colors[1].At(x, y)[k]);
@@ -92,7 +93,7 @@ Pair FilteredBy(const OpenImageDenoise& library, const Pair& colors, const Guide
   return {library.Filtered(colors[0], guides.best[0]), library.Filtered(colors[1], guides.best[1])};
 }
 
-/// How often each candidate is chosen among some pixels: a byte each.
+/// The number of times that each candidate is chosen among some pixels, in one byte each.
 using Counts = std::uint32_t;
 constexpr std::size_t most_candidates = sizeof(Counts);
 constexpr int most_choices = (2 * blend_radius + 1) * (2 * blend_radius + 1);
@@ -100,7 +101,7 @@ static_assert(most_choices < 256);
 
 std::uint32_t CountOf(Counts counts, std::size_t candidate) { return counts >> 8 * candidate & 255; }
 
-/// At each pixel one choice: the candidate with the least error, of equals the first.
+/// Returns a choice for each pixel: the candidate with the least error, or the first of several.
 Pixels<Counts> Choices(const std::vector<Pair>& candidates) {
   const Pair& colors = candidates.front();
   std::vector<Pixels<Rgb>> errors;
@@ -137,7 +138,7 @@ Pixels<Counts> CountsAround(const Pixels<Counts>& choices) {
   return counts;
 }
 
-/// Each pixel in the shares that the choices around it have.
+/// Blends the candidates at each pixel in proportion to the choices around it.
 Pixels<Rgb> Blended(const std::vector<Pair>& candidates, const Pixels<Counts>& counts, std::size_t stream) {
   Pixels<Rgb> blended(counts.Width(), counts.Height());
   tbb::parallel_for(0, counts.Height(), [&](int y) {
@@ -157,14 +158,14 @@ Pixels<Rgb> Blended(const std::vector<Pair>& candidates, const Pixels<Counts>& c
 
 }  // namespace
 
-R2::Image DenoisedPicture::Mean() const {
+R2::Image DenoisedImage::Mean() const {
   const Pair pair{PixelsOf(of_stream[0]), PixelsOf(of_stream[1])};
   return ImageOf(Made(pair[0].Width(), pair[0].Height(),
                       [&](int x, int y, std::size_t k) { return pair[0].At(x, y)[k] / 2 + pair[1].At(x, y)[k] / 2; }));
 }
 
-DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters,
-                        WorkMeter& meter) {
+DenoisedImage Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters,
+                      WorkMeter& meter) {
   const Pair colors{PixelsOf(a), PixelsOf(b)};
   if (filters.HasRegression())
     meter.Expect(std::ssize(regression_filters) * std::ssize(colors) * LocalFitTiles(a.Width(), a.Height()));
@@ -178,7 +179,7 @@ DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& gu
   return {{ImageOf(Blended(candidates, counts, 0)), ImageOf(Blended(candidates, counts, 1))}};
 }
 
-DenoisedPicture Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters) {
+DenoisedImage Denoise(const R2::Image& a, const R2::Image& b, const Guides& guides, const DenoiseFilters& filters) {
   WorkMeter nobody;
   return Denoise(a, b, guides, filters, nobody);
 }

@@ -8,18 +8,18 @@
 
 namespace ray {
 
-/// The filters of a denoiser, ready to work.
+/// The loaded filters of a denoiser.
 class DenoiseFilters {
  public:
-  /// `threads` as in RenderSettings. Throws DenoiserError where a library is missing or does not work.
+  /// `threads` as in RenderSettings. Throws DenoiserError if a library is missing or does not work.
   explicit DenoiseFilters(Denoiser denoiser = Denoiser::regression, int threads = 0);
-  /// Filters with a library that has been loaded.
+  /// Uses a library that has been loaded.
   DenoiseFilters(bool has_regression, std::unique_ptr<const OpenImageDenoise> library);
 
   bool HasRegression() const { return has_regression_; }
-  /// Null where it is not among them.
+  /// The library, or null if it is not used.
   const OpenImageDenoise* Library() const { return library_.get(); }
-  /// "regression", "Open Image Denoise 2.5.1", "regression and Open Image Denoise 2.5.1"
+  /// Returns "regression", "Open Image Denoise 2.5.1", or "regression and Open Image Denoise 2.5.1".
   std::string Name() const;
 
  private:

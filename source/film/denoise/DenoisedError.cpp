@@ -7,23 +7,23 @@
 namespace ray {
 namespace {
 
-// What the squared bias is of the variance where nothing tells. A filter's strength has the least error where they are
-// one to two: over windows of radius h in the plane variance falls as h^-2, and what the planes of a local fit miss
-// grows as h^2, so its square as h^4 (Ruppert, Wand, Multivariate locally weighted least squares regression, 1994,
-// theorem 2.1).
-//   accuracy   of what three denoisers made of 15 scenes at 16 samples, nine seeds each beside two references, the
-//              shares have a median of .53 and a mean of .56, and are 0 to 1.4
+// The ratio of squared bias to variance that is assumed without evidence. The error of a filter is least at a strength
+// where they are one to two: over windows of radius h in the plane, variance falls as h^-2, and the deviation from the
+// planes of a local fit grows as h^2, so its square as h^4 (Ruppert, Wand, Multivariate locally weighted least squares
+// regression, 1994, theorem 2.1).
+//   accuracy   for three denoisers on 15 scenes at 16 samples, nine seeds each compared with two references, the
+//              ratios have a median of 0.53 and a mean of 0.56, and are 0 to 1.4
 constexpr double expected_bias = 0.5;
 
-/// What the two streams say of a pixel's squared error, the mean of its channels.
+/// The estimate of a pixel's squared error from the two streams, as the mean of its channels.
 struct PixelClaim {
   double variance = 0, squared_bias = 0;
 };
 
-/// With A, B the streams and F, G what filters made of them, as they are seen.
+/// A, B: the streams; F, G: the filtered streams, all as displayed.
 PixelClaim ClaimOf(double A, double B, double F, double G, double mean) {
   PixelClaim claim;
-  // What is seen of the mean is not the mean of what is seen, where values are clipped.
+  // Where values are clipped, the displayed mean is not the mean of the displayed values.
   const double clipped = (F + G) / 2 - mean;
   claim.variance = (F - G) * (F - G) / 4 + clipped * clipped;
   claim.squared_bias = ((F - B) * (F - B) + (G - A) * (G - A) - (A - B) * (A - B) - (F - G) * (F - G)) / 2;
@@ -32,29 +32,29 @@ PixelClaim ClaimOf(double A, double B, double F, double G, double mean) {
 
 class Claims {
  public:
-  Claims(const Film& film, const DenoisedPicture& denoised, const ErrorMeasure& measure)
-      : picture_(denoised.Mean()), measure_(measure) {
+  Claims(const Film& film, const DenoisedImage& denoised, const ErrorMeasure& measure)
+      : image_(denoised.Mean()), measure_(measure) {
     const R2::Image a = film.Part(0), b = film.Part(1);
-    for (int y = 0; y < picture_.Height(); ++y)
-      for (int x = 0; x < picture_.Width(); ++x)
-        Add(a.At(x, y), b.At(x, y), denoised.of_stream[0].At(x, y), denoised.of_stream[1].At(x, y), picture_.At(x, y));
+    for (int y = 0; y < image_.Height(); ++y)
+      for (int x = 0; x < image_.Width(); ++x)
+        Add(a.At(x, y), b.At(x, y), denoised.of_stream[0].At(x, y), denoised.of_stream[1].At(x, y), image_.At(x, y));
   }
 
   MeasuredError Summary(const Film& film) const {
-    double variance = 0, measured = 0, noise = 0;  // of all pixels; the sum of their squared biases, and its variance
+    double variance = 0, measured = 0, noise = 0;  // over all pixels; the sum of their squared biases, and its variance
     for (const PixelClaim& pixel : pixels_) {
       variance += pixel.variance;
       measured += pixel.squared_bias;
       noise += pixel.squared_bias * pixel.squared_bias;
     }
-    // Measured alone, the bias would be noise where that is large, and below 0 as often as not.
+    // The measured bias alone would be mere noise where that is large, and negative half of the time.
     PositiveGuess bias{measured, 1};
     if (variance > 0 && noise > 0) bias = GuessPositive(measured, noise, expected_bias * variance);
     const double rest = variance > 0 ? (bias.mean - bias.slope * measured) / variance : 0;
     std::vector<float> squares;
     for (const PixelClaim& pixel : pixels_)
       squares.push_back(static_cast<float>((1 + rest) * pixel.variance + bias.slope * pixel.squared_bias));
-    return SummarizeErrors(film, squares, picture_, measure_);
+    return SummarizeErrors(film, squares, image_, measure_);
   }
 
  private:
@@ -71,14 +71,14 @@ class Claims {
     pixels_.push_back(sum);
   }
 
-  const R2::Image picture_;
+  const R2::Image image_;
   const ErrorMeasure measure_;
   std::vector<PixelClaim> pixels_;
 };
 
 }  // namespace
 
-MeasuredError MeasureDenoisedError(const Film& film, const DenoisedPicture& denoised, const ErrorMeasure& measure) {
+MeasuredError MeasureDenoisedError(const Film& film, const DenoisedImage& denoised, const ErrorMeasure& measure) {
   assert(film.HasBothParts());
   return Claims(film, denoised, measure).Summary(film);
 }

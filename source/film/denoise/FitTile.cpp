@@ -5,10 +5,10 @@
 namespace ray {
 namespace {
 
-/// Guides are kept within this, so that sums of products of two of them are finite floats; no light comes near.
+/// The bound of guides, so that sums of products of two of them are finite floats. No real light comes near it.
 constexpr float most_guide = 1e15F;
 
-/// Lambdas rather than functions, so that loops inline them.
+/// Lambdas rather than functions so that loops inline them.
 constexpr auto limited = [](float guide) {
   return guide < most_guide ? std::max(guide, -most_guide) : guide >= most_guide ? most_guide : 0;  // NaN is 0
 };
@@ -31,7 +31,7 @@ void FitTile::Copy(const Pixels<std::array<float, count>>& pixels, int around, c
 
 void FitTile::Load(const LocalFitInput& input, int x0, int y0) {
   const int width = input.colors.Width(), height = input.colors.Height();
-  x0_ = x0, y0_ = y0, picture_rows_ = height;
+  x0_ = x0, y0_ = y0, image_rows_ = height;
   columns_ = std::min(columns, width - x0), rows_ = std::min(rows, height - y0);
   strength_squared_ = static_cast<float>(input.strength * input.strength);
   for (int x = -margin; x < columns_ + margin; ++x)

@@ -8,7 +8,7 @@
 #include "R1/Targets.h"
 #include "source/film/denoise/FitTile.h"
 
-// Highway compiles this file once for each instruction set. What does not depend on that is included before.
+// Highway compiles this file once for each instruction set. Code that is independent of it is included before.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "source/film/denoise/LocalFit.cpp"
 #include <hwy/foreach_target.h>
@@ -18,31 +18,32 @@
 #define RAY_FILM_DENOISE_LOCAL_FIT
 namespace ray {
 
-inline constexpr float least_variance = 1e-7F;  // a deviation of 0.08 255ths, which nobody sees
-inline constexpr float least_weight = 1e-4F;  // of a neighbor; all less than this hold is below 1% of the pixel's own
+inline constexpr float least_variance = 1e-7F;  // a deviation of 0.08/255, which is invisible
+// of a neighbor; all smaller weights sum to less than 1% of the pixel's own
+inline constexpr float least_weight = 1e-4F;
 
-// How much a change of 1 in a regressor must explain, per unit of weight, to be believed by half: guides change by up
-// to about 1 over an edge, places by 1 from the middle of a window to its rim. From 1e-2 down to 5e-4 the error fell by
-// a tenth; 0.1 for places had 1% less error than 0.01.
+// The change of color per unit of weight that a change of 1 in a regressor must explain to have half its full effect.
+// Guides change by up to about 1 across an edge, places by 1 from the middle of a window to its rim. From 1e-2 down to
+// 5e-4 the error fell by a tenth; 0.1 for places had 1% less error than 0.01.
 inline constexpr float ridge_of_guides = 5e-4F, ridge_of_places = 0.1F;
-// Share of a regressor's sum of squares that is added to it as a ridge. Sums of floats are wrong by some 1e-6 of
-// themselves, which is less: so, but for a last bit or two, the fit is that of a slightly different ridge.
+// The share of a regressor's sum of squares that is added to it as a ridge. The relative error of sums of floats is
+// about 1e-6, which is less. So, except for a last bit or two, the fit is that of a slightly different ridge.
 //   source   Higham, Accuracy and Stability of Numerical Algorithms (2002), theorem 10.3
 inline constexpr float ridge_of_rounding = 1e-5F;
-inline constexpr float least_remainder = 1e-6F;  // of the sum of weights: below, elimination left but rounding
+inline constexpr float least_remainder = 1e-6F;  // of the sum of weights: less after elimination is rounding
 
 /// The neighbors of a pixel of a tile, in rows.
 struct Neighborhood {
   static constexpr int side = 2 * FitTile::window + 1;
   static constexpr std::size_t size = side * side;
 
-  /// Index of the neighbor that is dx, dy away.
+  /// Returns the index of the neighbor at offset dx, dy.
   static constexpr std::size_t IndexOf(int dx, int dy) {
     return static_cast<std::size_t>((dy + FitTile::window) * side + dx + FitTile::window);
   }
 };
 
-/// Numbers in rows, and after each as many as a vector may be past its end.
+/// Numbers in rows, each followed by the padding that a vector may read past its end.
 template <int columns, int rows>
 class FloatRows {
  public:
@@ -56,11 +57,12 @@ class FloatRows {
   alignas(64) std::array<float, std::size_t{pitch} * rows> values_{};
 };
 
-/// What the fits of a tile are made in.
+/// The working memory of a tile's fits.
 struct FitWork {
   FitTile tile;
   std::array<FloatRows<FitTile::columns, FitTile::rows>, Neighborhood::size> weights;  // of each pixel
-  // Distances of a row and one pixel more at either end, and their sums of three for one row more below and above.
+  // Distances of a row and one pixel more at either end, and their sums over three rows, including one row below and
+  // one above.
   FloatRows<FitTile::columns + 2, 1> distances;
   FloatRows<FitTile::columns, FitTile::rows + 2> row_sums;
   FloatRows<FitTile::columns, 3> fitted;  // of a row, by channel
@@ -78,18 +80,18 @@ using Lanes = hn::CappedTag<float, FitTile::most_lanes>;
 using Floats = hn::Vec<Lanes>;
 constexpr int lanes = hn::MaxLanes(Lanes());
 
-// No multiplication and addition are fused: every instruction set gives the same bits.
+// Multiplication and addition are not fused, so every instruction set gives the same bits.
 HWY_INLINE Floats MultiplyAndAdd(Floats a, Floats b, Floats c) { return hn::Add(hn::Mul(a, b), c); }
 
-/// exp(-x) of x >= 0, or 0 where that is below least_weight.
-///   accuracy   3e-6 of the result: a weight needs no more
-///   source     2^whole by the exponent's bits; the rest by six terms of the series of exp within ln 2 / 2
+/// Returns exp(-x) for x >= 0, or 0 if that is below least_weight.
+///   accuracy   relative error 3e-6, which is enough for a weight
+///   source     2^whole from the exponent's bits; the rest from six terms of the series of exp within ln 2 / 2
 HWY_INLINE Floats WeightOf(Floats x) {
   const Lanes d;
   const hn::RebindToSigned<Lanes> integers;
   constexpr float log2_e = 1.44269504F, ln_2 = 0.693147181F, most = 16;
   const Floats exponent = hn::Mul(hn::Min(x, hn::Set(d, most)), hn::Set(d, -log2_e));
-  const Floats shifter = hn::Set(d, 0x1.8p23F);  // a sum with it has ulp 1: its last bits are those of an integer
+  const Floats shifter = hn::Set(d, 0x1.8p23F);  // adding it leaves an integer in the last bits
   const Floats shifted = hn::Add(exponent, shifter);
   const Floats rest = hn::Mul(hn::Sub(exponent, hn::Sub(shifted, shifter)), hn::Set(d, ln_2));
   Floats sum = hn::Set(d, 1.0F / 120);
@@ -100,8 +102,8 @@ HWY_INLINE Floats WeightOf(Floats x) {
   return hn::IfThenElseZero(hn::Ge(weight, hn::Set(d, least_weight)), weight);
 }
 
-/// Three times the distance of pixels p and q: its mean is that over channels. It is 0 on average where only noise
-/// tells them apart, 1 / strength^2 where their difference is as large as that.
+/// Returns three times the distance of pixels p and q: the mean of the result is over channels. It is 0 on average if
+/// they differ by noise only, and 1 / strength^2 if their difference is as large as the noise.
 HWY_INLINE Floats TripleDistance(const FitTile& tile, std::ptrdiff_t p, std::ptrdiff_t q) {
   const Lanes d;
   const Floats least = hn::Set(d, least_variance), strength_squared = hn::Set(d, tile.StrengthSquared());
@@ -118,7 +120,7 @@ HWY_INLINE Floats TripleDistance(const FitTile& tile, std::ptrdiff_t p, std::ptr
   return sum;
 }
 
-/// Makes the weights of the neighbors that are dx, dy from the tile's pixels.
+/// Computes the weights of the neighbors at offset dx, dy from the tile's pixels.
 void MakeWeights(FitWork& work, int dx, int dy) {
   static_assert(FitTile::patch == 1);
   const Lanes d;
@@ -144,8 +146,8 @@ void MakeWeights(FitWork& work, int dx, int dy) {
     }
 }
 
-/// The fits of as many pixels as a vector has lanes: weighted linear least squares of colors on guides, less the
-/// pixel's best, and places.
+/// Fits one pixel per lane of a vector: weighted linear least squares of colors on places and on guides minus the
+/// pixel's best guide.
 class Fit {
  public:
   Fit(const FitWork& work, int x, int y) : tile_(work.tile), at_(FitTile::At(x, y)) {
@@ -156,7 +158,7 @@ class Fit {
       }
   }
 
-  /// Into the row x, of three channels.
+  /// Writes the fitted pixels at x of the row, in three channels.
   void WriteTo(FitWork& work, int x) {
     AddProducts();
     AddRidge();
@@ -210,7 +212,7 @@ class Fit {
     (AddRow(std::make_index_sequence<i + 1>()), ...);
   }
 
-  /// The products of a guide with those up to it, which stay in registers over all neighbors.
+  /// Adds the products of a guide with those up to it, which stay in registers over all neighbors.
   template <std::size_t... j>
   HWY_NOINLINE void AddRow(std::index_sequence<j...>) {
     const Lanes d;
@@ -241,7 +243,8 @@ class Fit {
     }
   }
 
-  /// What each regressor counts for in the fit where all but the first are 0: the first column of the inverse.
+  /// Solves for the weights of the regressors in the fitted value where all regressors except the first are 0: the
+  /// first column of the inverse.
   ///   source   symmetric Gaussian elimination from the last upwards; ridge regression by Hoerl and Kennard (1970)
   void Solve() {
     const Lanes d;
@@ -267,7 +270,7 @@ class Fit {
     }
   }
 
-  /// What the neighbor's color counts for.
+  /// Returns the neighbor's weight in the fitted color.
   Floats Share(std::size_t n) const {
     const Lanes d;
     Floats share = MultiplyAndAdd(solution_[1], hn::Set(d, along_x_[n]), solution_[0]);

@@ -39,7 +39,7 @@ std::vector<std::string> PathsInPython() {
   return paths;
 }
 
-/// Loaded once, and never given back: its threads may still run in it.
+/// Loads the library once. It is never unloaded, since its threads may still run in it.
 void* Library() {
   static void* const library = [] {
     void* found = nullptr;
@@ -61,7 +61,7 @@ void* FindInLibrary(const char* name) {
   return dlsym(Library(), name);
 }
 
-/// A function by its name, or by the one that it had before version 2.
+/// Returns a function by its name, or by its name before version 2.
 template <typename Function>
 void Find(Function*& function, const OpenImageDenoise::FindFunction& find, const char* name,
           const char* former_name = nullptr) {
@@ -107,7 +107,7 @@ struct OpenImageDenoise::Functions {
   void (*execute_filter)(void* filter);
 };
 
-/// One filter of the library, while it is used.
+/// A filter of the library, for one call.
 class OpenImageDenoise::Filter {
  public:
   Filter(const Functions& functions, void* device)
@@ -116,7 +116,7 @@ class OpenImageDenoise::Filter {
   Filter(const Filter&) = delete;
   Filter& operator=(const Filter&) = delete;
 
-  /// Three floats of each pixel, which are `pixel_stride` bytes apart.
+  /// Sets an image of three floats per pixel; pixels are `pixel_stride` bytes apart.
   void Use(const char* name, const float* pixels, int width, int height, std::size_t pixel_stride) {
     functions_.set_shared_filter_image(filter_, name, const_cast<float*>(pixels), float3,
                                        static_cast<std::size_t>(width), static_cast<std::size_t>(height), 0,
@@ -140,7 +140,8 @@ OpenImageDenoise::OpenImageDenoise(const FindFunction& find, int threads)
       device_(functions_->new_device(processor), functions_->release_device) {
   ThrowIfFailed();
   if (threads > 0) functions_->set_device_int(device_.get(), "numThreads", threads);
-  functions_->set_device_bool(device_.get(), "setAffinity", false);  // the threads are ours, and work on after it
+  // the threads are ours, and continue with other work
+  functions_->set_device_bool(device_.get(), "setAffinity", false);
   functions_->commit_device(device_.get());
   ThrowIfFailed();
 }

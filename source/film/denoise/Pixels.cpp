@@ -7,7 +7,7 @@ namespace {
 
 float Finite(double x) { return static_cast<float>(R2::Storable(x)); }
 
-/// Sums of squares of pixels, one for each pixel of a row, channel after channel.
+/// The sums of squares around each pixel of a row, one channel after another.
 template <std::size_t count>
 class SquaresOfRow {
  public:
@@ -23,7 +23,7 @@ class SquaresOfRow {
       for (std::size_t i = 0; i < columns.size(); ++i) columns[i] += from[i];
     }
     for (int aside = -reach; aside <= reach; ++aside) {
-      // In this order whatever the width, so that a part of a picture has the sums of the whole.
+      // This order is independent of the width, so that a part of an image has the sums of the whole.
       const int begin = std::max(0, -aside), end = width_ - std::max(0, aside);
       for (int i = static_cast<int>(count) * begin; i < static_cast<int>(count) * end; ++i)
         sums_[static_cast<std::size_t>(i)] += columns[static_cast<std::size_t>(i + static_cast<int>(count) * aside)];

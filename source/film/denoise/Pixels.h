@@ -9,7 +9,7 @@
 
 namespace ray {
 
-/// Something of each pixel of a picture, in rows from the bottom.
+/// One value per pixel of an image, in rows from the bottom.
 template <typename T>
 class Pixels {
  public:
@@ -20,7 +20,7 @@ class Pixels {
   int Height() const { return height_; }
   const T& At(int x, int y) const { return values_[Index(x, y)]; }
   T& At(int x, int y) { return values_[Index(x, y)]; }
-  /// The nearest pixel of the picture.
+  /// Returns the value of the nearest pixel inside the image.
   const T& Clamped(int x, int y) const { return At(std::clamp(x, 0, width_ - 1), std::clamp(y, 0, height_ - 1)); }
   bool Contains(int x, int y) const { return x >= 0 && x < width_ && y >= 0 && y < height_; }
 
@@ -35,13 +35,13 @@ class Pixels {
 
 using Rgb = std::array<float, 3>;
 
-/// The image's channels; what is no finite number becomes 0, or the largest float.
+/// Returns the image's channels, with values that are not finite replaced by 0 or the largest float.
 Pixels<Rgb> PixelsOf(const R2::Image& image);
 R2::Image ImageOf(const Pixels<Rgb>& pixels);
 
-/// The means over squares of 2 radius + 1 pixels around each, as far as they are in the picture, without the inner
-/// 2 hole + 1: so a mean knows nothing of the noise of its own pixel. -1 <= hole < radius; -1 leaves out nothing. No
-/// bit of a mean depends on pixels elsewhere: a part of a picture has the means of the whole.
+/// Returns means over squares of 2 radius + 1 pixels around each pixel, clipped to the image, without the inner 2 hole
+/// + 1 pixels. So a mean is independent of the noise of its own pixel. -1 <= hole < radius; -1 means no hole. No bit of
+/// a mean depends on pixels elsewhere: a part of an image has the means of the whole.
 template <std::size_t count>
 Pixels<std::array<float, count>> MeansAround(const Pixels<std::array<float, count>>& values, int radius, int hole);
 

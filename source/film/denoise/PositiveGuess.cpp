@@ -8,12 +8,12 @@
 namespace ray {
 namespace {
 
-/// The mean, in deviations, of the normal distribution around z that is cut off below 0: z + phi(z) / Phi(z), with phi
-/// the density and Phi the distribution of normal noise.
+/// Returns the mean, in standard deviations, of the normal distribution around z that is truncated below 0: z + phi(z)
+/// / Phi(z), with phi the density and Phi the distribution of normal noise.
 double MeanAbove0(double z) {
   constexpr double far = 3;
   if (z < -far) {
-    // Laplace's continued fraction, DLMF 7.9.3; from 3 on 100 terms are exact to rounding.
+    // Laplace's continued fraction, DLMF 7.9.3; from 3 on, 100 terms are exact up to rounding.
     double fraction = -z;
     for (int k = 100; k > 1; --k) fraction = k / fraction - z;
     return 1 / fraction;

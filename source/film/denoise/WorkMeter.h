@@ -8,25 +8,25 @@
 
 namespace ray {
 
-/// The progress of work that threads share, and whether it is still wanted.
+/// The progress of work that threads share, and the request to stop it.
 class WorkMeter {
  public:
-  /// Told that `done` of `total` parts are, by one thread at a time.
+  /// A callback for progress: `done` of `total` parts are finished. Called by one thread at a time.
   using Listener = std::function<void(std::int64_t done, std::int64_t total)>;
 
-  /// Nobody waits.
+  /// A meter without a listener.
   WorkMeter() = default;
   /// The listener may be empty, `stop` null.
   WorkMeter(Listener listener, const std::atomic<bool>* stop) : listener_(std::move(listener)), stop_(stop) {}
 
-  /// How many parts there will be, once it is known.
+  /// Sets the number of parts, as soon as it is known.
   void Expect(std::int64_t parts) { total_ = parts; }
   void PartIsDone() {
     if (!listener_) return;
     const std::lock_guard lock(mutex_);
     listener_(++done_, total_);
   }
-  /// Then what is worked on is of no use to anybody, and loops may end early.
+  /// Returns true if the work is no longer needed, so that loops may end early.
   bool IsStopped() const { return stop_ && stop_->load(std::memory_order_relaxed); }
 
  private:

@@ -6,11 +6,11 @@
 namespace ray {
 
 std::vector<double> NeighborContrasts(const Film& film, const ErrorMeasure& measure) {
-  const R2::Image picture = film.Picture();
+  const R2::Image image = film.Image();
   const PixelRectangle& region = film.Region();
   std::vector<double> contrasts(static_cast<std::size_t>(film.Blocks()), 0);
   const auto note = [&](int x, int y, int next_x, int next_y) {
-    const R2::Color a = picture.At(x, y), b = picture.At(next_x, next_y);
+    const R2::Color a = image.At(x, y), b = image.At(next_x, next_y);
     const auto apart = [&](double p, double q) { return std::abs(AsMeasured(p, measure) - AsMeasured(q, measure)); };
     const double contrast = std::max({apart(a.r, b.r), apart(a.g, b.g), apart(a.b, b.b)});
     for (const int block :
@@ -19,10 +19,10 @@ std::vector<double> NeighborContrasts(const Film& film, const ErrorMeasure& meas
       most = std::max(most, contrast);
     }
   };
-  for (int y = 0; y < picture.Height(); ++y)
-    for (int x = 0; x < picture.Width(); ++x) {
-      if (x + 1 < picture.Width()) note(x, y, x + 1, y);
-      if (y + 1 < picture.Height()) note(x, y, x, y + 1);
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) {
+      if (x + 1 < image.Width()) note(x, y, x + 1, y);
+      if (y + 1 < image.Height()) note(x, y, x, y + 1);
     }
   return contrasts;
 }

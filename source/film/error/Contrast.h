@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "source/film/Film.h"
-#include "source/film/error/PictureError.h"
+#include "source/film/error/ImageError.h"
 
 namespace ray {
 
-/// The largest difference between two pixels beside or above each other, of which one at least is in the block: of
-/// each block of the film, in any channel, as `measure` looks at them. Every pixel has a sample.
+/// Returns, for each block of the film, the largest difference between two adjacent pixels at least one of which is in
+/// the block, in any channel, as `measure` counts it. Every pixel must have a sample.
 std::vector<double> NeighborContrasts(const Film& film, const ErrorMeasure& measure);
 
 }  // namespace ray

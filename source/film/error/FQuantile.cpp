@@ -10,8 +10,8 @@
 namespace ray {
 namespace {
 
-/// The logarithm of gamma(x), x > 0, with an error of a few ulp of the larger of it and 1.
-///   source   Stirling's series, DLMF 5.11.1; from 10 on its next term, 1 / (156 x^13), is under 1e-15. Below that by
+/// Returns the logarithm of gamma(x), x > 0, with an error of a few ulp of the larger of it and 1.
+///   source   Stirling's series, DLMF 5.11.1; from 10 on its next term, 1 / (156 x^13), is under 1e-15. Below that,
 ///            gamma(x + 1) = x gamma(x)
 double LogGamma(double x) {
   double product = 1;
@@ -23,11 +23,11 @@ double LogGamma(double x) {
   return (x - 0.5) * R1::Log(x) - x + half_log_two_pi + series / x - R1::Log(product);
 }
 
-/// The continued fraction of the incomplete beta function, which converges fast below its mean.
+/// Evaluates the continued fraction of the incomplete beta function, which converges fast below its mean.
 ///   source   DLMF 8.17.22, evaluated as Lentz, Generating Bessel functions in Mie scattering calculations (1976)
 double BetaFraction(double a, double b, double x) {
   constexpr double tiny = std::numeric_limits<double>::min();
-  constexpr int most_steps = 100000;  // some sqrt(a + b) are needed
+  constexpr int most_steps = 100000;  // about sqrt(a + b) are needed
   const auto away_from_zero = [](double value) { return std::abs(value) < tiny ? tiny : value; };
   double c = 1, d = 1 / away_from_zero(1 - (a + b) * x / (a + 1)), fraction = d;
   for (int m = 1; m < most_steps; ++m) {
@@ -45,7 +45,7 @@ double BetaFraction(double a, double b, double x) {
   return fraction;
 }
 
-/// The regularized incomplete beta function I_x(a, b), x and y = 1 - x in (0, 1).
+/// Evaluates the regularized incomplete beta function I_x(a, b), x and y = 1 - x in (0, 1).
 double IncompleteBeta(double a, double b, double x, double y) {
   const double log_front = LogGamma(a + b) - LogGamma(a) - LogGamma(b) + a * R1::Log(x) + b * R1::Log(y);
   const double front = R1::Exp(log_front);
@@ -56,7 +56,7 @@ double IncompleteBeta(double a, double b, double x, double y) {
 }  // namespace
 
 double FQuantile(double p, double m, double n) {
-  // In log f, where the distribution is nearly symmetric.
+  // Bisects in log f, where the distribution is nearly symmetric.
   double low = -700, high = 700;
   for (int i = 0; i < 100; ++i) {
     const double middle = (low + high) / 2, odds = m * R1::Exp(middle) / n;

@@ -2,8 +2,8 @@
 
 namespace ray {
 
-/// The value f that is not exceeded with probability p by the ratio of two independent mean squares of m and n degrees
-/// of freedom: Fisher and Snedecor's F. It is the square of Student's t at 2 p - 1 for m = 1.
+/// Returns the value f that the ratio of two independent mean squares of m and n degrees of freedom does not exceed
+/// with probability p: Fisher and Snedecor's F. It is the square of Student's t at 2 p - 1 for m = 1.
 ///   p          in (0, 1)
 ///   m, n       above 0
 ///   accuracy   1e-9 of the value for up to 1e6 degrees of freedom

@@ -8,12 +8,11 @@
 
 namespace ray {
 
-/// The cost of a ray: how many nodes, cells and leaves it visited and how many primitives it was tested against.
+/// Returns the cost of a ray: the number of visited nodes, cells and leaves plus the number of tested primitives.
 double Heat(const Counts& cost);
 
-/// Shows what another integrator's camera rays cost instead of the light they bring: the heat of each ray and its
-/// descendants, or their number, alike in all channels. Rays are traced one by one, so that each pixel pays for its
-/// own.
+/// Shows the cost of another integrator's camera rays instead of their light: the heat of each ray and its descendants,
+/// or their number, equal in all channels. Rays are traced one at a time, so that each pixel has its own cost.
 class CostIntegrator : public Integrator {
  public:
   CostIntegrator(std::unique_ptr<const Integrator> traced, bool counts_rays)
@@ -26,10 +25,10 @@ class CostIntegrator : public Integrator {
   bool counts_rays_;
 };
 
-/// A cost as a color, on one scale for all images so that they can be compared: black at 1 and below, blue at 10, red
-/// at 100, yellow at 1,000, white at 10,000 and above, interpolated in the logarithm.
+/// Returns the color of a cost, on one scale for all images so that they can be compared: black at 1 and below, blue at
+/// 10, red at 100, yellow at 1,000, white at 10,000 and above, interpolated in the logarithm.
 R2::Color HeatColor(double heat);
-/// The cost from 1 to 10,000 with the nearest color.
+/// Returns the cost from 1 to 10,000 with the nearest color.
 double HeatOf(const R2::Color& color);
 
 }  // namespace ray

@@ -9,25 +9,27 @@
 
 namespace ray {
 
-/// A ray as it was traced.
+/// A traced ray.
 struct RecordedRay {
   static constexpr int none = -1;
 
   RayKind kind = RayKind::camera;
-  int parent = none;       // the ray whose end this one started from, by its number; a camera ray has none
+  int parent = none;       // the number of the ray at whose end this one started; none for camera rays
   int depth = 0;           // bounces before it
   R3::Ray ray;             // a shadow ray ends at its light at t = 1, unless that is infinitely far
-  R2::Color throughput;    // of what it sees, in its sample; of a shadow ray: what arrives if nothing is in between
-  bool is_inside = false;  // whether it starts on the inside of the surface it comes from
-  std::string towards{};   // the light of a shadow ray, in words
-  std::optional<WorldHit> hit{};         // where it ends; the nearest thing in the way of a shadow ray
-  std::optional<R3::SurfacePoint> at{};  // the same, in the world
-  // To its sample, throughput included, besides what its children bring: all of them sum to the sample, unless that is
-  // on an outline, or shows a cost in place of light.
+  // of the light at its end, in its sample; for a shadow ray the arriving light if it is unoccluded
+  R2::Color throughput;
+  bool is_inside = false;                // it starts on the inside of the surface it comes from
+  std::string towards{};                 // description of a shadow ray's light
+  std::optional<WorldHit> hit{};         // its end; the nearest occluder of a shadow ray
+  std::optional<R3::SurfacePoint> at{};  // the end in the world
+  // The contribution to its sample, throughput included, without that of its children. All contributions sum to the
+  // sample, unless that is on an outline, or shows a cost instead of light.
   R2::Color contribution{};
-  bool is_outlined = false;  // of a camera ray, whether its sample is black since it is on an outline
+  // for a camera ray: the sample is black because it is on an outline
+  bool is_outlined = false;
 
-  /// Where it ends, if it does.
+  /// Returns the point where it ends, if it does.
   std::optional<R3::Point> End() const {
     if (at) return at->position;
     if (kind == RayKind::shadow && ray.t_max < R3::infinity) return ray.At(1);
@@ -35,23 +37,23 @@ struct RecordedRay {
   }
 };
 
-/// Keeps the rays of a few samples. A tracer whose TraceState names a recorder reports its rays to it. Only for a
-/// recorder does the tracer find the nearest thing in the way of a shadow ray; all else is what it traces anyway.
+/// Records the rays of a few samples. A tracer whose TraceState has a recorder reports its rays to it. Only for a
+/// recorder does the tracer find the nearest occluder of a shadow ray; everything else is traced anyway.
 class RayRecorder {
  public:
-  /// A ray begins that comes from the end of ray `record`, if any; its own number.
+  /// Records the beginning of a ray that comes from the end of ray `record`, if any. Returns its number.
   int Begin(const R3::Ray& ray, const PathState& path);
-  /// It ends on a surface, or nowhere; `contribution` as above.
+  /// Records its end on a surface, or nowhere; `contribution` as in RecordedRay.
   void Hits(const ShadingPoint& surface, const R2::Color& contribution);
   void Misses(int number, const R2::Color& contribution) { (*this)[number].contribution = contribution; }
 
-  /// A camera ray is on an outline.
+  /// Records that a camera ray is on an outline.
   void OnOutline(int number) { (*this)[number].is_outlined = true; }
 
-  /// A shadow ray of a surface. `reflected`: what arrives if nothing is in between, throughput included.
+  /// Records a shadow ray of a surface. `reflected`: the arriving light if it is unoccluded, throughput included.
   void BeginShadow(const ShadingPoint& surface, const R3::Ray& ray, const R2::Color& reflected, std::string towards);
-  /// The shadow rays begun since the last call were traced: those for which `is_occluded(i)`, i from 0 in the order
-  /// they began, found something in their way. What that was is asked now.
+  /// Records the result of the shadow rays since the last call, for which `is_occluded(i)` (i from 0 in the order of
+  /// BeginShadow) returns true if they are occluded. Finds their occluders now.
   template <typename IsOccluded>
   void EndShadows(const IsOccluded& is_occluded, const World& world, const Accelerator& accelerator,
                   Workspace& workspace) {
@@ -69,7 +71,7 @@ class RayRecorder {
                  Workspace& workspace);
 
   std::vector<RecordedRay> rays_;
-  std::vector<int> shadows_;  // begun and not ended
+  std::vector<int> shadows_;  // not ended yet
 };
 
 }  // namespace ray

@@ -27,7 +27,7 @@ bool EmissionBounds::MayBeHitBy(const R3::Ray& ray) const {
   if (is_unbounded_) return true;
   const double padding = padding_per_distance_ * MaxComponent(Abs(FromOrigin(ray.origin)));
   const R3::Vector margin{padding, padding, padding};
-  // Most rays leave it, and a division takes longer.
+  // Most rays leave the box, and a division takes longer.
   if (R3::IsLeavingBox({box_.low - margin, box_.high + margin}, ray)) return false;
   return Entry(box_, R3::BoxRay(ray), padding).has_value();
 }

@@ -5,12 +5,12 @@
 
 namespace ray {
 
-/// A box around all shapes that emit, for rays that can bring nothing but emission.
+/// A box around all emissive shapes, for rays that can only bring emission.
 class EmissionBounds {
  public:
   explicit EmissionBounds(const World& world);
 
-  /// False only for a ray that hits no shape that emits, however tests of shapes are rounded.
+  /// Returns false only for a ray that hits no emissive shape, regardless of how tests of shapes are rounded.
   bool MayBeHitBy(const R3::Ray& ray) const;
 
  private:

@@ -8,22 +8,22 @@
 namespace ray {
 namespace {
 
-// What R3::Shape promises of Intersect, in units of the distance and the size.
+// The accuracy of Intersect that R3::Shape guarantees, in units of the distance and the size.
 constexpr double accuracy_of_hits = 32 * R3::unit_roundoff;
 
-/// Rays count as hitting the surface when they come this near to it.
+/// Returns the distance from the surface within which rays count as hitting it.
 double Nearness(double distance, double size) { return accuracy_of_hits * (distance + size); }
 
-/// How much of the way to a place is left when it is cut off where it is as high above the surface as the error there;
-/// its direction stays what the pdf belongs to. Nothing, 0 or less, between places of one surface that rounding alone
-/// keeps apart.
+/// Returns the fraction of the way to a place that remains after cutting it off at a height above the surface equal to
+/// the error there. Its direction is unchanged, since the pdf belongs to it. 0 or less between places of one surface
+/// that only rounding separates.
 double ShareOutside(const R3::Vector& way, const R3::Vector& normal, const R3::Vector& error) {
   return 1 - Dot(Abs(normal), error) / std::abs(Dot(normal, way));
 }
 
 R3::Vector Column(const R3::Matrix& matrix, std::size_t k) { return {matrix.m[0][k], matrix.m[1][k], matrix.m[2][k]}; }
 
-/// The matrix, transposed, times a vector.
+/// Returns the transposed matrix times a vector.
 R3::Vector TransposedTimes(const R3::Matrix& matrix, const R3::Vector& v) {
   return {Dot(Column(matrix, 0), v), Dot(Column(matrix, 1), v), Dot(Column(matrix, 2), v)};
 }
@@ -32,7 +32,7 @@ double MeanScale(const R3::Matrix& matrix) {
   std::array<R3::Vector, 3> columns{Column(matrix, 0), Column(matrix, 1), Column(matrix, 2)};
   double largest = 0;
   for (const R3::Vector& column : columns) largest = std::max(largest, MaxComponent(Abs(column)));
-  for (R3::Vector& column : columns) column = column / largest;  // no product of three overflows
+  for (R3::Vector& column : columns) column = column / largest;  // so that products of three do not overflow
   return largest * R1::Cbrt(std::abs(Dot(columns[0], Cross(columns[1], columns[2]))));
 }
 
@@ -52,7 +52,7 @@ R3::Point EmissiveShape::Local(const R3::Point& point, double time) const {
   return world_->Back(instance_->frame, R3::Ray{point, {}, 0, R3::infinity, time}).origin;
 }
 
-// A map M takes the unit direction w to M w, and solid angles there to |det M| / |M w|^3 times as much.
+// A map M takes the unit direction w to M w, and scales solid angles there by |det M| / |M w|^3.
 double EmissiveShape::SolidAngleRatio(const R3::Vector& way, const R3::Vector& local_way) const {
   const double ratio = Length(way) / Length(local_way) / mean_scale_;
   return ratio * ratio * ratio;
@@ -89,7 +89,7 @@ void EmissiveShape::SampleEach(LightSamples& samples, LightSamples::Each& pdfs) 
 R3_VECTORIZED
 void EmissiveShape::CutOff(const R3::SurfaceSamples& places, LightSamples& samples, LightSamples::Each& pdfs) const {
   const R2::Color emission = Emission();
-  // Arrays of its own, so that it is clear that nothing overlaps.
+  // Separate arrays, which obviously do not overlap.
   R1::Columns<R3::Vector> ways;
   R1::Columns<R2::Color> colors;
   alignas(64) LightSamples::Each drawn_pdfs;

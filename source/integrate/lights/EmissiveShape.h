@@ -12,48 +12,48 @@
 
 namespace ray {
 
-/// A shape other than a triangle whose material emits, as a light: both sides of its surface shine, to the inside of a
-/// solid as well. It has a place in the graph of its own, so one shape in several groups is several lights. The world
-/// must outlive it.
+/// An emissive shape other than a triangle, as a light. Both sides of its surface shine, including to the inside of a
+/// solid. Each place in the graph is a separate light, so one shape in several groups is several lights. The world must
+/// outlive it.
 class EmissiveShape {
  public:
   EmissiveShape(const World& world, const Instance& instance, int element);
 
   struct Sample {
-    R3::Vector towards;  // to just before the place, so that a ray that far stops short of the shape
+    R3::Vector towards;  // ends just before the place, so that a ray of that length stops short of the shape
     double pdf;          // per solid angle, > 0
     R2::Color radiance;  // that arrives from there
   };
-  /// One of the places that are seen from a point at a time in [0, 1).
+  /// Samples a place that is visible from a point at a time in [0, 1).
   ///   random    in [0, 1)^2
-  ///   returns   nothing where no place can be seen
+  ///   returns   std::nullopt if no place is visible
   std::optional<Sample> SampleTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
-  /// Whether it stands in the world as it is, and sends all its light to either side, so that many samples can be drawn
-  /// together.
+  /// Returns true if the shape has no frame of its own and emits equally to both sides, so that many samples can be
+  /// drawn together.
   bool CanSampleEach() const { return instance_->frame == 0 && mean_scale_ == 1 && behind_.IsAsFront(); }
-  /// SampleTowards, bit for bit, from each of the points: the ways to the light, the radiance over the pdf, and the
-  /// pdfs, 0 where no place can be seen. Of shapes that can.
+  /// Computes SampleTowards, bit for bit, from each of the points: the ways to the light, the radiance over the pdf,
+  /// and the pdfs, 0 if no place is visible. Requires CanSampleEach.
   void SampleEach(LightSamples& samples, LightSamples::Each& pdfs) const;
-  /// The pdf with which SampleTowards picks the place that is `towards` away and has this normal.
+  /// Returns the pdf with which SampleTowards picks the place that is `towards` away and has this normal.
   double Pdf(const R3::Point& seen_from, const R3::Vector& towards, const R3::Normal& normal, double time) const;
 
   const R2::Color& Emission() const { return instance_->material->emission; }
   std::int64_t Primitive() const { return instance_->first_primitive + element_; }
-  /// Whether no place drawn is hidden by the shape itself.
+  /// Returns true if the shape itself hides no sampled place.
   bool DrawsInSight() const { return instance_->shape->DrawsInSight(); }
-  /// R3::Ray::reaching of rays to places drawn.
+  /// Returns R3::Ray::reaching for rays to sampled places.
   std::int64_t Reached() const { return DrawsInSight() ? Primitive() : -1; }
-  /// How large it looks, roughly: half the area of the box around it, as of a triangle one of two sides.
+  /// Returns the approximate visible area: half the area of the bounding box, like that of one side of a triangle.
   double ProjectedAreaOfBounds() const;
   std::string Describe() const;
-  /// What choosing among lights goes by, without fall-off as the course has it.
+  /// Returns the estimated contribution that light selection uses. Ignores attenuation, as in the course.
   LightBound Bound() const;
 
  private:
   R3::Point Local(const R3::Point& point, double time) const;
-  /// How much larger a solid angle around a way looks in the shape's frame than in the world.
+  /// Returns the ratio of a solid angle around a way in the shape's frame to that in the world.
   double SolidAngleRatio(const R3::Vector& way, const R3::Vector& local_way) const;
-  /// SampleEach of places that the shape has drawn.
+  /// Implements SampleEach from the places that the shape has drawn.
   void CutOff(const R3::SurfaceSamples& places, LightSamples& samples, LightSamples::Each& pdfs) const;
 
   const World* world_;
@@ -64,10 +64,10 @@ class EmissiveShape {
   double mean_scale_;  // of the frame: the cube root of its determinant, without sign
 };
 
-/// Every element that emits, is no triangle and can be sampled.
+/// Returns all emissive elements that are not triangles and can be sampled.
 std::vector<EmissiveShape> EmissiveShapes(const World& world);
 
-/// Whether something else emits, which scattered rays alone can find.
+/// Returns true if there are other emissive elements, which only scattered rays can find.
 bool HasUnsampledEmission(const World& world);
 
 }  // namespace ray

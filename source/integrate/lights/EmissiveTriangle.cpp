@@ -19,7 +19,7 @@ R3::Vector Magnitude(const R3::Transform& world_from_local, const R3::Point& loc
          R3::Vector{std::abs(forward.m[0][3]), std::abs(forward.m[1][3]), std::abs(forward.m[2][3])};
 }
 
-/// A frame and corners in it: of triangles that share them every ray hits the first.
+/// A frame and the corners in it. A ray that hits several triangles with the same ones hits the first.
 using Place = std::array<double, 10>;
 Place PlaceOf(std::uint32_t frame, const std::array<R3::Point, 3>& c) {
   return {static_cast<double>(frame), c[0].x, c[0].y, c[0].z, c[1].x, c[1].y, c[1].z, c[2].x, c[2].y, c[2].z};

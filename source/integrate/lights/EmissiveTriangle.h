@@ -11,11 +11,11 @@
 
 namespace ray {
 
-/// A triangle whose material emits, as a light (the 2008 course): from each of its points it shines like a point light
-/// of its emission without fall-off, to both sides, but not onto itself.
+/// An emissive triangle, as a light (the 2008 course). Each of its points shines like a point light of its emission
+/// without attenuation, to both sides, but not onto the triangle itself.
 struct EmissiveTriangle {
   std::array<R3::Point, 3> corners;  // in the world
-  R3::Vector corner_error;           // bound on what rounding moved them by, per axis
+  R3::Vector corner_error;           // bound of their rounding error, per axis
   R3::Vector motion;                 // while the shutter is open
   R3::Normal normal;
   double area = 0;
@@ -24,21 +24,21 @@ struct EmissiveTriangle {
   const Instance* instance = nullptr;
   std::int64_t primitive = 0;
 
-  /// The point that `random`, in [0, 1)^2, picks evenly by area at a time in [0, 1), moved off the triangle to the side
-  /// of `seen_from`, so that a ray from there to it stops short of the triangle.
+  /// Returns the point that `random`, in [0, 1)^2, picks uniformly by area at a time in [0, 1), moved off the triangle
+  /// to the side of `seen_from`, so that a ray from there to it stops short of the triangle.
   R3::Point PointTowards(const R3::Point& seen_from, const R2::Point& random, double time) const;
 
-  /// What arrives from one of its points, that far away.
+  /// Returns the radiance that arrives from one of its points, that far away.
   R2::Color RadianceAlong(const R3::Vector& way) const { return EmittedBackAlong(way, normal, emission, behind); }
 
-  /// Around wherever it is while the shutter is open.
+  /// Returns bounds of the triangle during the whole shutter interval.
   R3::Box Bounds() const;
   std::string Describe() const;
-  /// What choosing among lights goes by, without fall-off as the course has it.
+  /// Returns the estimated contribution that light selection uses. Ignores attenuation, as in the course.
   LightBound Bound() const;
 };
 
-/// Every triangle of every mesh (a `tri` is one) that emits.
+/// Returns every emissive triangle of every mesh (a `tri` is a mesh).
 std::vector<EmissiveTriangle> EmissiveTriangles(const World& world);
 
 }  // namespace ray

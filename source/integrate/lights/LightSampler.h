@@ -22,7 +22,7 @@ class LightSampler {
   bool IsEmpty() const { return lights_.empty(); }
   int Count() const { return static_cast<int>(lights_.size()); }
   const LightSource& operator[](int light) const { return *lights_[static_cast<std::size_t>(light)]; }
-  /// Whether some light can be found by following scattered rays as well, and whether by this one.
+  /// Returns true if scattered rays can also find some light; with a ray, if that ray can.
   bool CanBeHit() const {
     return environment_ || has_background_ || has_unsampled_emission_ || !light_of_primitive_.empty();
   }
@@ -30,29 +30,29 @@ class LightSampler {
     return environment_ || has_background_ || emission_bounds_.MayBeHitBy(ray);
   }
 
-  /// Whether emission is a color, as in mode whitted: no ray that a surface scatters diffusely counts it.
+  /// Returns true if emission is a color, as in mode whitted: rays that a surface scatters diffusely ignore it.
   bool EmitsColor() const { return settings_.emission == Emission::color; }
-  /// One light at random, and a point on it; pdf and irradiance account for both choices.
+  /// Samples one light at random, and a point on it; pdf and irradiance include both choices.
   std::optional<LightSample> SampleOne(const ShadingPoint& p, const R2::Point& u, double choice) const;
-  /// A point on light number `light`.
+  /// Samples a point on light number `light`.
   std::optional<LightSample> Sample(const ShadingPoint& p, int light, const R2::Point& u) const;
 
-  /// LightSource::SampleEach of a light with pdfs, from all of the points.
+  /// Calls LightSource::SampleEach for a light with pdfs, from all of the points.
   void SampleEach(std::span<const ShadingPoint> points, int light, LightSamples& samples,
                   LightSamples::Each& pdfs) const;
 
-  /// Null where it does not shine.
+  /// Returns the environment; null if it does not shine.
   const Environment* environment() const { return environment_; }
-  /// The pdf with which a point would have chosen a direction to the environment, where this is seen, or to the light
-  /// that a ray from it hit, nothing for what is no light. `choosing`: by SampleOne, else by Sample.
+  /// Returns the pdf with which a point would have chosen a direction to the environment that is seen, or to the light
+  /// that a ray from it hit; std::nullopt if the latter is not a light. `choosing`: by SampleOne, otherwise by Sample.
   double PdfOfEnvironment(const ShadingPoint& from, const Environment::Seen& seen, bool choosing) const;
   std::optional<double> PdfOfHit(const ShadingPoint& from, const ShadingPoint& hit, const World& world,
                                  bool choosing) const;
 
  private:
-  /// Whether it chooses uniformly among lights, and from the environment.
+  /// Returns true if lights, and directions to the environment, are chosen uniformly.
   bool IsUniform() const { return settings_.strategy == LightStrategy::uniform; }
-  /// One of several lights, and with what probability.
+  /// Chooses one of several lights, with its probability.
   std::optional<LightTree::Choice> Choose(const ShadingPoint& p, double choice) const;
   double ProbabilityOf(const ShadingPoint& p, int light) const;
 
@@ -61,7 +61,7 @@ class LightSampler {
   std::unordered_map<std::int64_t, int> light_of_primitive_;
   EmissionBounds emission_bounds_;
   const Environment* environment_ = nullptr;
-  bool has_background_ = false;  // that is not black
+  bool has_background_ = false;  // and is not black
   bool has_unsampled_emission_;
   std::optional<LightTree> tree_;
 };

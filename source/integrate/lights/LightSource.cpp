@@ -32,7 +32,8 @@ class SceneLight : public LightSource {
   const Light& light_;
 };
 
-/// A surface as path tracing weighs it: radiance times area, falling off with the square of the distance.
+/// Returns the bound of a surface as a light of path tracing: radiance times area, falling off with the squared
+/// distance.
 LightBound RadiantBound(LightBound bound, double area) {
   bound.power *= area / pi;
   bound.ca = 0;
@@ -68,7 +69,7 @@ class RadiantTriangle : public LightSource {
   EmissiveTriangle triangle_;
 };
 
-/// Another shape whose emission is a radiance.
+/// A shape other than a triangle whose emission is a radiance.
 class RadiantShape : public LightSource {
  public:
   explicit RadiantShape(const EmissiveShape& shape) : shape_(shape) {}
@@ -96,9 +97,9 @@ class RadiantShape : public LightSource {
   EmissiveShape shape_;
 };
 
-// Lamps are shapes whose emission is read as a color, which mode whitted does and -emission color asks for: each of
-// their points shines like a point light without fall-off. The samples have no pdf, since light from a lamp is then no
-// integral over directions, which scattered rays could find too.
+// Lamps are shapes whose emission is a color, as in mode whitted and with -emission color: each of their points shines
+// like a point light without attenuation. The samples have no pdf, since light from a lamp is then not an integral over
+// directions, which scattered rays could also sample.
 
 class LampOfTriangles : public LightSource {
  public:
@@ -131,9 +132,9 @@ class LampOfShape : public LightSource {
   std::string Describe() const override { return shape_.Describe(); }
 
  private:
-  /// Some shapes draw places as well that they hide themselves. The mean is that over what they do not hide.
+  /// Some shapes also sample places that they hide themselves. The result is a mean over the others.
   std::optional<EmissiveShape::Sample> SampleAgain(const ShadingPoint& p, const R2::Point& u) const {
-    constexpr std::uint64_t again_key = camera_key - 3;  // beneath surfaces, beside lights: there are not as many
+    constexpr std::uint64_t again_key = camera_key - 3;  // below surfaces, next to lights: there are not that many
     constexpr std::uint32_t most_attempts = 64;
     const RandomKey key = p.path.index.key.Child(again_key).Child(std::bit_cast<std::uint64_t>(u.x));
     const Points again(SamplerKind::random, key.Child(std::bit_cast<std::uint64_t>(u.y)), most_attempts);
@@ -147,7 +148,7 @@ class LampOfShape : public LightSource {
   EmissiveShape shape_;
 };
 
-/// Directions of the environment by importance sampling, or uniformly.
+/// The environment, with directions by importance sampling, or uniformly.
 class EnvironmentLight : public LightSource {
  public:
   EnvironmentLight(const Environment& environment, bool is_uniform)
@@ -170,7 +171,7 @@ class EnvironmentLight : public LightSource {
   bool HasPdf() const override { return true; }
   bool IsInfinite() const override { return true; }
   LightBound Bound() const override {
-    const Environment::Sample any = environment_.Draw({0.5, 0.5});  // luminance over pdf is alike for all
+    const Environment::Sample any = environment_.Draw({0.5, 0.5});  // luminance over pdf is the same for all directions
     return {.power = Luminance(any.radiance) / any.pdf / pi, .is_infinite = true};
   }
   std::string Describe() const override { return "environment"; }
@@ -190,7 +191,7 @@ void AddLamps(const World& world, const TraceSettings& settings, LightSources& l
 
 bool HasEmitters(const World& world) { return std::ranges::any_of(world.Instances(), &Instance::Emits); }
 
-/// The scene's lights that are not black. The default ones are omitted if something else shines.
+/// Returns the scene's lights that are not black. The default ones are omitted if something else shines.
 std::vector<const Light*> LightsBeside(const World& world, bool something_else_shines) {
   const Scene& scene = world.scene();
   return scene.has_default_lights && something_else_shines ? std::vector<const Light*>() : LightsOf(scene);

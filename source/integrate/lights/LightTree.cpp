@@ -11,12 +11,12 @@ namespace ray {
 namespace {
 
 constexpr double least_weight = 0x1p-24, least_cosine = 0.1;
-// Numbers are kept between these, so that sums and quotients of them are finite and above 0.
+// Numbers are kept in this range, so that their sums and quotients are finite and above 0.
 constexpr double tiny = 1e-300, huge = 1e300;
 constexpr double farthest = 1e150;  // its square is finite
 
-/// What lies behind by rounding alone may be in front. Sides are decided light by light, by the sign of a sum of four
-/// terms; what is said of a whole box must hold for its lights so decided, so it leaves room for the rounding of both.
+/// A place that is behind only by rounding may be in front. Sides are decided per light, by the sign of a sum of four
+/// terms. A decision for a whole box must hold for its lights, so it includes a margin for the rounding of both.
 constexpr double side_error = R3::Gamma(20);
 
 double Bounded(double x) { return x > tiny ? std::min(x, huge) : tiny; }
@@ -32,7 +32,7 @@ R3::Box BoxOf(const LightBound& light) {
 /// Heights of a box above the plane through p with normal N.
 struct Heights {
   double least = 0, greatest = 0;
-  double magnitude = 0;  // of what was added up
+  double magnitude = 0;  // of the terms summed
 };
 
 Heights HeightsOf(const R3::Box& box, const R3::Point& p, const R3::Vector& N) {
@@ -46,10 +46,10 @@ Heights HeightsOf(const R3::Box& box, const R3::Point& p, const R3::Vector& N) {
   return heights;
 }
 
-/// The greatest cosine with N of a direction from p into a sphere that p is not in.
+/// Returns the greatest cosine with N of a direction from p into a sphere that does not contain p.
 ///   cosine   of the direction to its middle
-///   sine     of the angle that its radius is seen under, in [0, 1]
-///   source   Estevez, Kulla (2018), section 3, theta_i less theta_u, without angles
+///   sine     of the angle under which its radius is seen, in [0, 1]
+///   source   Estevez, Kulla (2018), section 3, theta_i minus theta_u, without angles
 double GreatestCosine(double cosine, double sine) {
   if (sine == 0) return cosine;
   const double sphere_cosine = std::sqrt((1 - sine) * (1 + sine));
@@ -57,14 +57,14 @@ double GreatestCosine(double cosine, double sine) {
   return cosine * sphere_cosine + std::sqrt(std::max(0.0, 1 - cosine * cosine)) * sine;
 }
 
-/// By how much what falls off by ca + la d + qa d^2 is divided at a distance; above 0.
+/// Returns the divisor at a distance for attenuation by ca + la d + qa d^2; above 0.
 template <typename FallingOff>
 double DivisorAt(double d, const FallingOff& f) {
   const double divisor = f.ca + f.la * d + f.qa * d * d;
   return divisor > 0 ? divisor : 1;
 }
 
-/// The light with its power divided by ca where it does not fall off, so that its law is 1.
+/// Returns the light with its power divided by ca if it is not attenuated, so that its law is 1.
 LightBound InUnitsOfItsLaw(LightBound light) {
   if (light.la > 0 || light.qa > 0) return light;
   if (light.ca > 0) light.power = Bounded(light.power / light.ca);
@@ -72,7 +72,8 @@ LightBound InUnitsOfItsLaw(LightBound light) {
   return light;
 }
 
-/// Lights that fall off alike together, those that do not fall off first; the last of `most` may hold several laws.
+/// Groups lights by their attenuation law, those without attenuation first; the last of `most` groups may contain
+/// several laws.
 std::vector<std::vector<int>> ByLaw(const std::vector<LightBound>& lights, const std::vector<int>& among,
                                     std::size_t most) {
   std::vector<std::array<double, 3>> laws{{1, 0, 0}};
@@ -93,7 +94,8 @@ struct Range {
   std::vector<int>::iterator begin, end;
 };
 
-/// In two halves by the middle of the longest side of the box of the centers; lights at one place by their number.
+/// Splits a range in two halves at the median along the longest side of the box of the centers; lights at one place by
+/// their number.
 std::array<Range, 2> Halves(const Range& range, const std::vector<LightBound>& lights) {
   const auto center = [&](int light) { return lights[static_cast<std::size_t>(light)].center; };
   R3::Box box;
@@ -186,19 +188,19 @@ void LightTree::Summarize(std::size_t root) {
     Node& node = nodes_[i];
     if (node.children == 0) continue;
     for (const Node& child : ChildrenOf(node)) node.box.Extend(child.box);
-    // Halves first, since sums of coordinates may overflow.
+    // Halved first, since sums of coordinates may overflow.
     const R3::Vector low = 0.5 * FromOrigin(node.box.low), high = 0.5 * FromOrigin(node.box.high);
     node.center = R3::Point{} + (low + high);
     node.radius = Length(high - low);
   }
-  // Lights at one place have no distance to compare them at; then one is as good as another.
+  // Lights at one place have no distance at which to compare them; then any works.
   const double radius = nodes_[root].radius, reference = radius > 0 ? std::min(radius, farthest) : 1;
   for (std::size_t i = nodes_.size(); i-- > root;)
     if (nodes_[i].children > 0) SummarizePowers(nodes_[i], reference);
 }
 
-/// Powers as if all lights fell off by the first child's law as far as the reference, and the mean of the laws by
-/// power. Of lights of one law these are the sum of powers and that law.
+/// Sets powers as if all lights were attenuated by the first child's law up to the reference, and the mean of the laws
+/// by power. For lights of one law these are the sum of powers and that law.
 void LightTree::SummarizePowers(Node& node, double reference) {
   const auto children = ChildrenOf(node);
   const double first = Bounded(DivisorAt(reference, children.front()));
@@ -213,7 +215,7 @@ void LightTree::SummarizePowers(Node& node, double reference) {
   }
 }
 
-// In few divisions and roots, since sixteen of these are done where one shadow ray follows.
+// Uses few divisions and roots, since sixteen of these are computed per shadow ray.
 double LightTree::Importance(const Node& node, const R3::Vector& to_center, double height) {
   const double distance = Length(to_center), farther = std::max(distance, node.radius);
   const double d = farther < farthest ? farther : farthest;
@@ -271,7 +273,7 @@ LightTree::Weights LightTree::OfChildren(const Node& node, const R3::Point& p, c
 
 std::optional<LightTree::Choice> LightTree::Choose(const R3::Point& p, const R3::Vector& N, double u) const {
   double probability = 1;
-  // One of the weights by u, which becomes a uniform number again.
+  // Chooses one of the weights by u, which is then mapped to a uniform number again.
   const auto choose = [&](const Weights& weights) {
     const double target = std::min(u, below_one) * weights.sum;
     std::size_t chosen = 0;
@@ -315,7 +317,7 @@ double LightTree::ProbabilityOfNode(const R3::Point& p, const R3::Vector& N, int
     const auto tree = static_cast<std::size_t>(std::find(roots_.begin(), roots_.end(), node) - roots_.begin());
     return top.sum > 0 ? top.of[tree] / top.sum : 0;
   }
-  const double of_parent = ProbabilityOfNode(p, N, parent);  // no deeper than the tree, eight levels
+  const double of_parent = ProbabilityOfNode(p, N, parent);  // recursion no deeper than the tree, eight levels
   if (of_parent == 0) return 0;
   const Node& above = nodes_[static_cast<std::size_t>(parent)];
   const Weights weights = OfChildren(above, p, N);

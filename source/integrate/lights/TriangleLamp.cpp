@@ -8,7 +8,7 @@
 namespace ray {
 namespace {
 
-/// Areas of triangles at the end of the range of doubles are not numbers any more.
+/// Returns the weight of a triangle. Areas at the end of the range of doubles are not finite.
 double Weight(const EmissiveTriangle& triangle) {
   return triangle.area < std::numeric_limits<double>::max() ? triangle.area : std::numeric_limits<double>::max();
 }

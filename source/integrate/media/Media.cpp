@@ -7,7 +7,8 @@
 namespace ray {
 namespace {
 
-// Surfaces in a row that are not there for a path. More are taken for surfaces, so that no scene takes forever.
+// The limit of successive surfaces without an effect on a path. Further ones count as surfaces, so that every search
+// ends.
 constexpr int most_passed = 1000;
 
 }  // namespace
@@ -15,8 +16,8 @@ constexpr int most_passed = 1000;
 Media::Media(const World& world, const Accelerator& accelerator) : world_(world), accelerator_(accelerator) {
   for (std::uint32_t i = 0; i < world.Instances().size(); ++i) {
     const Instance& instance = world.Instances()[i];
-    are_needed_ |= instance.IsClear() || instance.is_medium;
-    are_absorbing_ |= instance.is_medium && !IsBlack(instance.material->absorb);
+    is_needed_ |= instance.IsClear() || instance.is_medium;
+    is_absorbing_ |= instance.is_medium && !IsBlack(instance.material->absorb);
     if (!instance.is_medium) continue;
     media_.push_back(i);
   }
@@ -29,8 +30,8 @@ std::vector<std::uint32_t> Media::Around(const R3::Point& p) const {
   return around;
 }
 
-/// Along the ray, a solid that is first left was around its start. Found once for many rays, this is no ray's cost, or
-/// costs would depend on which thread finds it.
+/// Finds the solids around the origin of a ray: those that are left first along the ray. The search happens once for
+/// many rays, so it counts as no ray's cost; otherwise costs would depend on the thread that does it.
 MediumSets::Number Media::Find(const R3::Ray& ray, TraceState& state) const {
   const Counts so_far = state.workspace.counts;
   std::vector<std::uint32_t> undecided = Around(ray.origin);
@@ -52,7 +53,7 @@ MediumSets::Number Media::Find(const R3::Ray& ray, TraceState& state) const {
 
 void Media::Arrive(R3::Ray& ray, PathState& path, std::optional<WorldHit>& hit, TraceState& state) const {
   for (int passed = 0; hit; ++passed) {
-    if (path.media != 0 && are_absorbing_) {
+    if (path.media != 0 && is_absorbing_) {
       const double distance = (hit->t - std::max(ray.t_min, 0.0)) * Length(ray.direction);
       path.throughput = LeftOf(path.throughput, path.media, distance, state);
     }
@@ -66,21 +67,21 @@ void Media::Arrive(R3::Ray& ray, PathState& path, std::optional<WorldHit>& hit, 
   }
 }
 
-/// Whether the surface is not there for the path, and what it is inside of behind it.
+/// Returns true if the surface has no effect on the path. Sets `beyond` to the solids around the path behind it.
 bool Media::Passes(const R3::Ray& ray, const PathState& path, const WorldHit& hit, TraceState& state,
                    MediumSets::Number& beyond) const {
   const Instance& instance = world_.Instances()[hit.instance];
   if (!instance.is_medium || !instance.IsClear()) return false;
   const bool leaves = Dot(world_.At(ray, hit).normal, ray.direction) > 0;
-  // Where triangles of a mesh meet, a path may find that it has already gone in or out; elsewhere it has lost count, by
-  // an edge that rounding let it miss, and believes what it sees.
+  // At edges between triangles of a mesh, a path may already have gone in or out. Elsewhere it has lost count at an
+  // edge that it missed by rounding, and treats the surface as real.
   if (leaves != state.media.Has(path.media, hit.instance, world_)) return IsNearStart(ray, hit.t);
   beyond = leaves ? state.media.Without(path.media, hit.instance, world_)
                   : state.media.With(path.media, hit.instance, world_);
   return state.media.At(beyond, world_).material == state.media.At(path.media, world_).material;
 }
 
-/// Straight on behind a surface.
+/// Returns the ray continued straight behind a surface.
 R3::Ray Media::Beyond(const R3::Ray& ray, const PathState& path, const WorldHit& hit, TraceState& state) const {
   ShadingPoint p = ShadingPointAt(world_, ray, path, hit);
   SetSides(p, state);
@@ -97,7 +98,7 @@ void Media::SetSides(ShadingPoint& p, TraceState& state) const {
   if (!instance.is_medium || p.entering == state.media.Has(p.path.media, number, world_)) return;
   p.media_beyond = p.entering ? state.media.With(p.path.media, number, world_)
                               : state.media.Without(p.path.media, number, world_);
-  // The point itself knows the index of its material over nothing.
+  // The point itself knows the index of its material relative to empty space.
   if (MediumSets::IsWithin(p.path.media, number) && !instance.has_parts) return;
   p.relative_index = state.media.At(p.path.media, world_).Index() / state.media.At(p.media_beyond, world_).Index();
 }

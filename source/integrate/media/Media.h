@@ -8,46 +8,46 @@
 
 namespace ray {
 
-/// Clear and absorbing solids that contain one another, overlap or touch: which of them a path is inside of, and what
-/// that makes of the surfaces that it meets. A path enters a solid where light goes through the solid's surface from
-/// outside, and leaves it where light goes through from inside. MediumSets tells what fills a place inside several
-/// solids.
-///   - A surface with one material on both sides is not there for rays. So water that overlaps the wall of its glass by
-///     a hair, or touches it, is bounded by glass, and not by a film of air or of water.
-///   - Light is refracted between what fills the places on both sides of a surface.
-///   - What a path is inside of absorbs light on the way to whatever the path meets, and on the way to lights.
-/// Meshes that are not closed have no inside: the back of a triangle is the inner side, whatever else is there.
-/// Scenes in which nothing is clear or absorbs need none of this.
+/// Clear and absorbing solids that contain one another, overlap or touch: the solids that a path is inside of, and
+/// their effect on surfaces. A path enters a solid when light passes through the solid's surface from outside, and
+/// leaves it when light passes from inside. MediumSets defines the medium inside several solids.
+///   - A surface with the same material on both sides has no effect on rays. So water that slightly overlaps the wall
+///   of
+///     its glass, or touches it, is bounded by glass, and not by a film of air or of water.
+///   - Light is refracted between the media on both sides of a surface.
+///   - Media absorb light on a path's way to its next surface, and on the way to lights.
+/// Meshes that are not closed have no inside: the back of a triangle is the inner side, regardless of everything else.
+/// Scenes without clear or absorbing materials need none of this.
 class Media {
  public:
   Media(const World& world, const Accelerator& accelerator);
 
-  /// Whether rays may go through something, or be inside of something that absorbs.
-  bool AreNeeded() const { return are_needed_; }
-  bool AreAbsorbing() const { return are_absorbing_; }
+  /// Returns true if rays may pass through surfaces, or be inside of an absorbing solid.
+  bool IsNeeded() const { return is_needed_; }
+  bool IsAbsorbing() const { return is_absorbing_; }
 
-  /// What a camera ray starts inside of.
+  /// Returns the solids around the start of a camera ray.
   MediumSets::Number At(const R3::Ray& ray, TraceState& state) const {
     auto& last = state.last_camera_ray;
     if (!last || !(last->origin == ray.origin && last->time == ray.time)) [[unlikely]]
       last = {ray.origin, ray.time, Find(ray, state)};
     return last->media;
   }
-  /// Whether Arrive does nothing to a path: it was not inside of several solids or one that absorbs, and goes into the
-  /// first or out of the last.
+  /// Returns true if Arrive does not change a path: it is not inside of several solids or an absorbing one, and enters
+  /// the first or leaves the last.
   bool IsPlain(const R3::Ray& ray, const PathState& path, const WorldHit& hit) const {
-    return (path.media == 0 || !are_absorbing_) && IsFirstOrLast(ray, path, hit);
+    return (path.media == 0 || !is_absorbing_) && IsFirstOrLast(ray, path, hit);
   }
-  /// Takes a path that hits something on to the surface that it sees, past surfaces that are not there for it. The
-  /// path's throughput loses what is absorbed on the way.
+  /// Takes a path with a hit to the surface that it sees, past surfaces without an effect on it. Reduces the path's
+  /// throughput by the absorption on the way.
   void Arrive(R3::Ray& ray, PathState& path, std::optional<WorldHit>& hit, TraceState& state) const;
-  /// Sets what a point's surface separates.
+  /// Sets the media on both sides of a point's surface.
   void SetSides(ShadingPoint& p, TraceState& state) const;
-  /// What is left of light after a distance inside of a set of solids.
+  /// Returns the remaining light after a distance inside of a set of solids.
   R2::Color LeftOf(const R2::Color& light, MediumSets::Number media, double distance, const TraceState& state) const;
 
  private:
-  /// Whether the path goes into the first solid or out of the last, whose surface is always there.
+  /// Returns true if the path enters the first solid or leaves the last, whose surface always has an effect.
   static bool IsFirstOrLast(const R3::Ray& ray, const PathState& path, const WorldHit& hit) {
     return MediumSets::IsWithin(path.media, hit.instance) && !IsNearStart(ray, hit.t);
   }
@@ -59,7 +59,7 @@ class Media {
 
   const World& world_;
   const Accelerator& accelerator_;
-  bool are_needed_ = false, are_absorbing_ = false;
+  bool is_needed_ = false, is_absorbing_ = false;
   std::vector<std::uint32_t> media_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace ray {
 
-/// Shows something of the first surface that each camera ray meets, and goes no further.
+/// Shows a property of the first surface that each camera ray hits, and traces no further.
 class FirstHit : public Integrator {
  public:
   FirstHit(const World& world, const Accelerator& accelerator) : world_(world), accelerator_(accelerator) {}
@@ -17,7 +17,7 @@ class FirstHit : public Integrator {
 
  private:
   virtual R2::Color Seen(const ShadingPoint& p) const = 0;
-  /// Where there is no surface.
+  /// Returns the color of rays that hit nothing.
   virtual R2::Color Missed(const R3::Vector&) const { return {}; }
   R2::Color SeenBy(const CameraSample& sample, const std::optional<WorldHit>& hit, TraceState& state) const;
 
@@ -25,10 +25,10 @@ class FirstHit : public Integrator {
   const Accelerator& accelerator_;
 };
 
-/// How far away the surface at a point is from the eye.
+/// Returns the distance of a point's surface from the eye.
 inline double DistanceFromEye(const ShadingPoint& p) { return p.hit.t * Length(p.direction); }
 
-/// The `make` of an IntegratorKind that needs no settings.
+/// Implements `make` of an IntegratorKind without settings.
 template <typename Kind>
 std::unique_ptr<const Integrator> MakeFirstHit(const World& world, const Accelerator& accelerator,
                                                const TraceSettings&) {

@@ -1,4 +1,4 @@
-// Modes that show a first surface in colors that a screen has.
+// Modes that show the first surface in displayable colors.
 #include "source/integrate/modes/FirstHit.h"
 
 namespace ray {
@@ -15,13 +15,13 @@ class Flat : public FirstHit {
   R2::Color Missed(const R3::Vector& direction) const override { return Background(world().scene(), direction); }
 };
 
-/// (N + 1) / 2
+/// The normal as a color, (N + 1) / 2.
 class NormalColor : public FirstHit {
   using FirstHit::FirstHit;
   R2::Color Seen(const ShadingPoint& p) const override { return {(p.N.x + 1) / 2, (p.N.y + 1) / 2, (p.N.z + 1) / 2}; }
 };
 
-/// (u, 0, v), v counted from the upper row of a texture.
+/// Texture coordinates as a color: (u, 0, v), with v counted from the upper row of a texture.
 class UvColor : public FirstHit {
   using FirstHit::FirstHit;
   R2::Color Seen(const ShadingPoint& p) const override { return {p.at.uv.x, 0, 1 - p.at.uv.y}; }
@@ -30,8 +30,9 @@ class UvColor : public FirstHit {
 }  // namespace
 
 extern const IntegratorKind flat_kind{"the color of the first surface, unlit", MakeFirstHit<Flat>};
-extern const IntegratorKind normal_color_kind{"its normal as a color, (N + 1) / 2", MakeFirstHit<NormalColor>};
-extern const IntegratorKind uv_color_kind{"its texture coordinates as a color, (u, 0, v from the upper row)",
+extern const IntegratorKind normal_color_kind{"normal of the first surface as a color, (N + 1) / 2",
+                                              MakeFirstHit<NormalColor>};
+extern const IntegratorKind uv_color_kind{"texture coordinates of the first surface as a color, (u, 0, v from the top)",
                                           MakeFirstHit<UvColor>};
 
 }  // namespace ray

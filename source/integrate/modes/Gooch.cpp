@@ -4,12 +4,12 @@
 namespace ray {
 namespace {
 
-/// Shading for technical illustration, from cool away from a light to warm towards it, with Phong's highlight; no
-/// shadows and no reflections. Summed over the lights of color C, areas taken at their middle:
+/// Shading for technical illustration, from cool away from a light to warm towards it, with Phong's highlight; without
+/// shadows and reflections. Summed over the lights of color C, area lights at their middle:
 ///     cool (1 - N.L) / 2 + warm (1 + N.L) / 2 + ks (V.R)^n C,
 ///     cool = (0, 0, b) + alpha kd C,  warm = (y, y, 0) + beta kd C
-/// A black light is none, as everywhere: a scene without lights is the same picture once it is written as .scn, which
-/// has a black one say so.
+/// Black lights are ignored, as everywhere. So a scene without lights has the same image after conversion to .scn,
+/// where a black light replaces the default one.
 ///   source   A. Gooch, B. Gooch, Shirley, Cohen, A non-photorealistic lighting model for automatic technical
 ///            illustration (1998), equation 2
 class Gooch : public FirstHit {

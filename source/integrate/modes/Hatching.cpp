@@ -13,17 +13,17 @@ constexpr R2::Color paper{1, 1, 1}, ink{0, 0, 0};
 
 /// Strokes of one direction.
 struct Strokes {
-  R2::Vector across;     // unit: from stroke to stroke
-  double begins, fills;  // shades between which its strokes grow from nothing to their full width
+  R2::Vector across;     // unit, from stroke to stroke
+  double begins, fills;  // range of darkness in which its strokes grow to full width
 };
-// The second layer crosses the first where it is dark, the others where it is darker.
+// The second layer crosses the first in dark places, the others in darker ones.
 constexpr double diagonal = std::numbers::sqrt2 / 2;
 constexpr std::array layers{Strokes{{diagonal, -diagonal}, 0.08, 0.55}, Strokes{{diagonal, diagonal}, 0.4, 0.8},
                             Strokes{{0, 1}, 0.65, 0.95}, Strokes{{1, 0}, 0.85, 1.2}};
 constexpr double full_width = 0.6;  // of a stroke, in spacings
 
-/// Whether a place of the image, in spacings of strokes, is inked where it is this dark, from 0 to 1. Strokes waver
-/// by a ninth of a spacing over some thirteen, neighbors differently, as lines drawn by hand.
+/// Returns true if a place of the image, in spacings of strokes, is inked at this darkness, from 0 to 1. Strokes waver
+/// by a ninth of a spacing over about thirteen, each differently, like lines drawn by hand.
 bool IsInked(const R2::Point& place, double shade) {
   return std::ranges::any_of(layers, [&](const Strokes& layer) {
     if (!(shade > layer.begins)) return false;
@@ -37,10 +37,10 @@ bool IsInked(const R2::Point& place, double shade) {
   });
 }
 
-/// A drawing in ink: strokes on the image, spaced evenly and wider where less light arrives; where it is dark they are
-/// crossed by others. The light is that of Phong's model without shadows, of areas at their middle.
+/// A drawing in ink: evenly spaced strokes on the image that are wider where less light arrives; in dark places others
+/// cross them. The light is that of Phong's model without shadows, with area lights at their middle.
 ///   source   Winkenbach, Salesin, Computer-generated pen-and-ink illustration (1994), for tone by prioritized strokes;
-///            Praun, Hoppe, Webb, Finkelstein, Real-time hatching (2001), for layers that stay as others are added
+///            Praun, Hoppe, Webb, Finkelstein, Real-time hatching (2001), for layers that stay when others are added
 class Hatching : public FirstHit {
  public:
   Hatching(const World& world, const Accelerator& accelerator, double spacing)

@@ -1,4 +1,4 @@
-// The modes that show what is known of the first surface, as numbers; see source/render/Layer.h.
+// Modes that show properties of the first surface as numbers; see source/render/Layer.h.
 #include "source/integrate/modes/FirstHit.h"
 
 namespace ray {
@@ -40,9 +40,10 @@ class IdLayer : public FirstHit {
 }  // namespace
 
 extern const IntegratorKind depth_kind{"distance to the first surface", MakeFirstHit<DepthLayer>};
-extern const IntegratorKind normal_kind{"its shading normal on the viewer's side", MakeFirstHit<NormalLayer>};
-extern const IntegratorKind uv_kind{"its texture coordinates", MakeFirstHit<UvLayer>};
-extern const IntegratorKind albedo_kind{"what it scatters: kd, kr and kt", MakeFirstHit<AlbedoLayer>};
-extern const IntegratorKind id_kind{"the number of its primitive", MakeFirstHit<IdLayer>};
+extern const IntegratorKind normal_kind{"shading normal of the first surface on the viewer's side",
+                                        MakeFirstHit<NormalLayer>};
+extern const IntegratorKind uv_kind{"texture coordinates of the first surface", MakeFirstHit<UvLayer>};
+extern const IntegratorKind albedo_kind{"reflectance of the first surface: kd, kr and kt", MakeFirstHit<AlbedoLayer>};
+extern const IntegratorKind id_kind{"primitive number of the first surface", MakeFirstHit<IdLayer>};
 
 }  // namespace ray

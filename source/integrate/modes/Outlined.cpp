@@ -10,18 +10,19 @@
 namespace ray {
 namespace {
 
-// A jump in depth: the second difference of 1 / depth, relative. On a plane it is 0 at any slant, since 1 / depth is
-// linear in the picture. A thirtieth is where a ball of 100 pixels' radius, seen at 45 degrees in 400 pixels, curves
-// away from the eye between its last two pixels; more would thin no line, less would thicken that ball's.
+// A jump in depth: the relative second difference of 1 / depth. On a plane it is 0 at any slant, since 1 / depth is
+// linear in the image. 1/30 is the value at which a ball with a radius of 100 pixels, seen at 45 degrees in 400 pixels,
+// curves away from the eye between its last two pixels. A larger value would thin no line, a smaller one would thicken
+// that ball's.
 constexpr double least_jump = 1.0 / 30;
-// A crease: normals 30 degrees apart. On a ball they are between neighboring pixels only at its rim, as long as its
-// radius is above 2 / (30 degrees)^2 = 7.3 pixels.
+// A crease: normals 30 degrees apart. On a ball, neighboring pixels differ by that only at its rim, if its radius is
+// above 2 / (30 degrees)^2 = 7.3 pixels.
 constexpr double cosine_of_crease = 0.8660254037844386;
 
-/// What a ray beside a camera ray sees.
+/// The result of a ray next to a camera ray.
 struct Glance {
-  double nearness = 0;  // 1 / depth, depth in lengths of the camera's axis; 0 where there is nothing
-  R3::Vector N;         // unit, on the viewer's side, without bump maps: a relief is no outline
+  double nearness = 0;  // 1 / depth, depth in lengths of the camera's axis; 0 without a surface
+  R3::Vector N;         // unit, on the viewer's side, without bump maps: relief has no outlines
 };
 
 class Outlined : public Integrator {
@@ -53,7 +54,7 @@ class Outlined : public Integrator {
     return {1 / hit->t, Dot(n, ray.direction) <= 0 ? n : -n};
   }
 
-  /// Number `i` of the rays beside that of a sample; nothing outside of what the camera sees.
+  /// Returns ray number `i` next to that of a sample; std::nullopt if it is outside of the camera's view.
   std::optional<R3::Ray> Beside(const CameraSample& sample, std::size_t i) const {
     R3::Ray aside = sample.ray;
     if (outline_.camera.IsPinhole()) {
@@ -62,8 +63,8 @@ class Outlined : public Integrator {
     }
     static constexpr std::array<R2::Vector, 4> ways{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
     const auto sight = [&](double pixels) {
-      return outline_.camera.Sight(sample.x + pixels * ways[i].x, sample.y + pixels * ways[i].y, outline_.picture_width,
-                                   outline_.picture_height);
+      return outline_.camera.Sight(sample.x + pixels * ways[i].x, sample.y + pixels * ways[i].y, outline_.image_width,
+                                   outline_.image_height);
     };
     const auto here = sight(0), there = sight(outline_.width / 2);
     if (!here || !there) return {};
@@ -92,7 +93,7 @@ class Outlined : public Integrator {
   const World& world_;
   const Accelerator& accelerator_;
   const OutlineSettings outline_;
-  std::array<R3::Vector, 4> asides_;  // what directions of a pinhole's rays differ by, opposite ones together
+  std::array<R3::Vector, 4> asides_;  // differences of a pinhole's directions, opposite ones together
 };
 
 }  // namespace

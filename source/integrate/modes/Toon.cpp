@@ -6,11 +6,12 @@
 namespace ray {
 namespace {
 
-/// Light in a few even tones, as in cartoons: of each light of color C, areas at their middle and without shadows,
+/// Light in a few even tones, as in cartoons. For each light of color C, without shadows and with area lights at their
+/// middle:
 ///     kd C ceil(bands N.L) / bands,   and ks C where Phong's highlight (V.R)^n is above a half,
-/// with emission and ambient light as ever.
+/// plus the usual emission and ambient light.
 ///   source   Lake, Marshall, Harris, Blackstein, Stylized rendering techniques for scalable real-time 3D animation
-///            (2000), section 4, whose two tones are bands of their choice here
+///            (2000), section 4, whose two tones are a number of bands here
 class Toon : public FirstHit {
  public:
   Toon(const World& world, const Accelerator& accelerator, int bands) : FirstHit(world, accelerator), bands_(bands) {}

@@ -3,8 +3,8 @@
 namespace ray {
 namespace {
 
-/// (far - d) / (far - near) of the distance d from the eye, clamped to [0, 1]: white where it is near, black where it
-/// is far or nothing is.
+/// Nearness: (far - d) / (far - near) for the distance d from the eye, clamped to [0, 1]. White for near surfaces,
+/// black for far ones and without a surface.
 class ZBuffer : public FirstHit {
  public:
   ZBuffer(const World& world, const Accelerator& accelerator, const ZBufferRange& range)
@@ -22,7 +22,7 @@ class ZBuffer : public FirstHit {
 
 }  // namespace
 
-extern const IntegratorKind zbuffer_kind{"how near the first surface is, from white to black",
+extern const IntegratorKind zbuffer_kind{"nearness of the first surface, from white to black",
                                          [](const World& world, const Accelerator& accelerator,
                                             const TraceSettings& settings) -> std::unique_ptr<const Integrator> {
                                            return std::make_unique<ZBuffer>(world, accelerator, settings.zbuffer);

@@ -7,7 +7,7 @@
 namespace ray {
 namespace {
 
-/// wo mirrored about N; where a smoothed normal sends that into the surface, mirrored back out of it.
+/// Returns wo mirrored about N; if a smoothed normal directs that into the surface, mirrored back out of it.
 R3::Vector Mirrored(const ShadingPoint& p) {
   const R3::Vector mirrored = Unit(Reflect(-p.wo, p.N));
   return p.IsBehindSurface(mirrored) ? Unit(Reflect(mirrored, p.Outward())) : mirrored;
@@ -48,7 +48,7 @@ SpecularWeights SpecularWeightsOf(const ShadingPoint& p, const TraceSettings& se
 
 namespace {
 
-/// A direction of Phong's lobe about `mirrored`; nothing where it leads below N's horizon or into the surface.
+/// Samples a direction of Phong's lobe about `mirrored`; std::nullopt if it is below N's horizon or inside the surface.
 std::optional<R3::Vector> SampleLobe(const ShadingPoint& p, const R3::Vector& mirrored, const R2::Point& u) {
   const R3::Vector wi = R3::FromTangents(R3::SamplePhongLobe(u, GlossExponent(*p.material)), mirrored);
   if (!(Dot(wi, p.N) > 0) || p.IsBehindSurface(wi)) return {};
@@ -109,7 +109,7 @@ std::optional<BsdfSample> Bsdf::Sample(const R2::Point& u, double choice, const 
   return BsdfSample{*wi, specular_.transmitted, transmission_, Lobe::transmission};
 }
 
-/// What heads into the surface, by the glossy lobe or by a smoothed normal, is lost there.
+/// Light that a glossy lobe or a smoothed normal directs into the surface is lost.
 std::optional<BsdfSample> Bsdf::Scatter(const R3::Vector& wi, Lobe lobe) const {
   const auto [value, pdf] = EvalWithPdf(wi);
   if (!(pdf > 0) || !(Dot(p_.Outward(), wi) > 0)) return {};

@@ -9,10 +9,10 @@ namespace {
 struct PhongSurface {
   R3::Vector N, wo;
   R2::Color kd, ks;
-  R2::Color shown{1, 1, 1};  // by a specular map
+  R2::Color shown{1, 1, 1};  // from a specular map
 };
 
-/// The exponent of one surface, which all samples are raised to as by R1::WholePower, bit by bit.
+/// The exponent of a single surface. Computes powers like R1::WholePower, bit for bit.
 struct OneExponent {
   std::uint64_t exponent;
 
@@ -26,10 +26,10 @@ struct OneExponent {
   }
 };
 
-/// An exponent for each sample, which is raised to it as by R1::WholePower, bit by bit.
-struct ExponentOfEach {
+/// One exponent per sample. Computes powers like R1::WholePower, bit for bit.
+struct ExponentPerSample {
   const std::uint64_t* exponents;
-  std::uint64_t bits;  // that any of them has
+  std::uint64_t bits;  // set in any of them
 
   [[gnu::always_inline]] void Raise(std::uint32_t count, double* __restrict cosines, double* __restrict powers) const {
     for (int bit = 0; bits >> bit != 0; ++bit)
@@ -40,8 +40,8 @@ struct ExponentOfEach {
   }
 };
 
-/// Makes of the color of each sample the weight times PhongReflection, bit for bit.
-///   surface_of   by the sample's number
+/// Replaces the color of each sample by the weight times PhongReflection, bit for bit.
+///   surface_of   returns the surface of a sample, by its number
 template <typename SurfaceOf, typename Exponents>
 [[gnu::always_inline]] inline void ReflectEach(const SurfaceOf& surface_of, const Exponents& exponents,
                                                bool has_highlights, double weight, LightSamples& __restrict samples) {
@@ -51,7 +51,7 @@ template <typename SurfaceOf, typename Exponents>
   for (std::uint32_t i = 0; i < count; ++i) {
     const PhongSurface s = surface_of(i);
     const R3::Vector L = BranchlessUnit(samples.to_light[i]);
-    // Nothing reflected of light beyond all numbers is nothing: a product of both would be no number.
+    // A black surface reflects nothing of infinite light: the product would be NaN.
     const R2::Color both = s.kd + s.ks;
     cosine[i] = both.r + both.g + both.b > 0 ? Dot(s.N, L) : 0;
     mirrored[i] = LobeCosine(s.wo, s.N, L);
@@ -85,7 +85,7 @@ void ReflectByPhong(const PhongColumns& surfaces, LightSamples& samples) {
   const auto surface_of = [&](std::uint32_t i) {
     return PhongSurface{surfaces.N[i], surfaces.wo[i], surfaces.kd[i], surfaces.ks[i]};
   };
-  ReflectEach(surface_of, ExponentOfEach{surfaces.exponents, surfaces.exponent_bits}, surfaces.has_highlights, 1,
+  ReflectEach(surface_of, ExponentPerSample{surfaces.exponents, surfaces.exponent_bits}, surfaces.has_highlights, 1,
               samples);
 }
 

@@ -10,62 +10,63 @@ namespace ray {
 
 /// A point being shaded.
 struct ShadingPoint {
-  /// What is known at first.
+  /// Sets the members that are known initially.
   ShadingPoint(const R3::Ray& ray, const PathState& arriving, const WorldHit& surface)
       : path(arriving), hit(surface), direction(ray.direction), time(ray.time) {}
-  /// The point that a camera ray hits, whose path is made in place instead of copied.
+  /// Creates the point that a camera ray hits, with its path constructed in place instead of copied.
   ShadingPoint(const R3::Ray& ray, const SampleIndex& index, const WorldHit& surface)
       : path{.index = index}, hit(surface), direction(ray.direction), time(ray.time) {}
 
-  PathState path;  // that led here; its throughput is what is left after the way
+  PathState path;  // its throughput includes absorption on the way here
   WorldHit hit;
-  R3::Vector direction;  // of the ray that led here, and its moment
+  R3::Vector direction;  // of the ray that led here
   double time;
   R3::SurfacePoint at;
   const Material* material = nullptr;
   R2::Color kd;             // the material's, times its texture and vertex colors
   R3::Vector wo;            // unit
   R3::Vector N;             // unit shading normal on the viewer's side
-  R3::Point free_point;     // where rays from here start, on the viewer's side
-  R3::Departure departure;  // what is known there of other surfaces
-  // R3::Ray::leaving of rays that stay on the viewer's side, and of those that go through the surface; these meet the
-  // primitive again where `is_met_again`.
+  R3::Point free_point;     // origin of rays on the viewer's side
+  R3::Departure departure;  // its relation to other surfaces there
+  // R3::Ray::leaving of rays that stay on the viewer's side, and of those that go through the surface; these hit the
+  // primitive again if `is_met_again`.
   std::int64_t leaving = -1, leaving_behind = -1;
   bool is_met_again = false;
-  bool entering = false;     // whether the ray came from the side of the outward normal
+  bool entering = false;     // the ray came from the side of the outward normal
   bool is_smoothed = false;  // N is not the surface's own normal
-  // Set where light goes through the surface, see Media: where rays that have gone through start, what they are inside
-  // of, and the index of refraction on this side over that on the other; 0: that of the material over 1, or 1 over it.
+  // Set if light goes through the surface, see Media: the start of rays that have gone through, the solids that they
+  // are inside of, and the index of refraction on this side over that on the other; 0: that of the material over 1, or
+  // 1 over it.
   MediumSets::Number media_beyond = 0;
   const R3::Departure* beyond = nullptr;
   double relative_index = 0;
-  double bias = 0;  // where rays may first hit something, in distance from where they start
+  double bias = 0;  // minimum distance at which rays from here may hit something
 
-  /// What of the scene's ambient light is reflected.
+  /// Returns the reflectance for the scene's ambient light.
   R2::Color AmbientReflectance(const World& world) const {
     return material->texture_multiplies_ka ? TexturedAmbientReflectance(world) : material->ka;
   }
-  /// The surface's own normal on the viewer's side.
+  /// Returns the surface's own normal on the viewer's side.
   R3::Vector Outward() const { return entering ? AsVector(at.normal) : -AsVector(at.normal); }
-  /// Index of refraction on the viewer's side over that on the other.
+  /// Returns the index of refraction on the viewer's side over that on the other.
   double RelativeIndex() const {
     if (relative_index > 0) return relative_index;
     return entering ? 1 / material->ir : material->ir;
   }
-  /// Whether a direction that N faces leads into the surface itself: from there no light can arrive.
+  /// Returns true if a direction on N's side is inside the surface itself: no light can arrive from there.
   bool IsBehindSurface(const R3::Vector& way) const { return is_smoothed && !(Dot(Outward(), way) > 0); }
-  /// What the specular map shows; white where there is none.
+  /// Returns the color of the specular map; white without a map.
   R2::Color Shown() const {
     if (material->specular_map) [[unlikely]]
       return material->specular_map->On(at, material->texture_scale);
     return {1, 1, 1};
   }
-  /// What the specular map leaves of what is specular.
+  /// Returns a specular reflectance multiplied by the specular map.
   R2::Color Mapped(const R2::Color& reflected) const { return Shown() * reflected; }
   bool HasReflectance() const { return !IsBlack(kd) || !IsBlack(material->ks); }
-  /// What it scatters of light from everywhere, about.
+  /// Returns the approximate reflectance for light from all directions.
   R2::Color Albedo() const { return kd + Mapped(material->kr) + material->kt; }
-  /// What it sends back before any light is sampled.
+  /// Returns the light that the point sends back before any light is sampled.
   R2::Color EmittedAndAmbient(const World& world) const {
     return material->emission + AmbientReflectance(world) * world.scene().ambient;
   }
@@ -74,11 +75,11 @@ struct ShadingPoint {
   R2::Color TexturedAmbientReflectance(const World& world) const;
 };
 
-/// The surface where a path's ray was found to hit. What the inside of a solid absorbed on the way, see LeftAfter, is
-/// taken from the path's throughput, unless Media have done so.
+/// Returns the surface where a path's ray hits. Subtracts absorption inside a solid on the way, see LeftAfter, from the
+/// path's throughput, unless Media have done so.
 ShadingPoint ShadingPointAt(const World& world, const R3::Ray& ray, const PathState& path, const WorldHit& hit);
 
-/// Sets what rays from the point leave; its hit and viewer's side must be known.
+/// Sets the primitive that rays from the point leave; its hit and viewer's side must be known.
 inline void SetLeaving(const World& world, ShadingPoint& p) {
   const R3::Form form = world.Instances()[p.hit.instance].form;
   const std::int64_t primitive = world.PrimitiveId(p.hit);
@@ -89,39 +90,39 @@ inline void SetLeaving(const World& world, ShadingPoint& p) {
   p.leaving_behind = primitive, p.is_met_again = is_met(!p.entering);
 }
 
-/// Sets where rays from the point, to which `ray` led, start; its normal must be known.
+/// Sets the start of rays from the point, to which `ray` led; its normal must be known.
 void SetDeparture(const World& world, const R3::Ray& ray, ShadingPoint& p);
 
-/// The colors of a mesh's vertices where a ray hits; white for other shapes.
+/// Returns the interpolated color of a mesh's vertices at a hit; white for other shapes.
 R2::Color VertexColorAt(const World& world, const WorldHit& hit);
-/// The kd of a point whose surface is known.
+/// Returns the kd of a point whose surface is known.
 inline R2::Color KdAt(const World& world, const ShadingPoint& p) {
   const Material& m = *p.material;
   const R2::Color kd = m.texture ? m.kd * m.texture->On(p.at, m.texture_scale) : m.kd;
   return m.has_vertex_colors ? kd * VertexColorAt(world, p.hit) : kd;
 }
-/// Takes from the throughput what the inside of a solid absorbed on the way here; the last step of making a point.
+/// Reduces the throughput by absorption inside a solid on the way here; the last step of making a point.
 void AbsorbOnTheWay(const R3::Ray& ray, ShadingPoint& p);
 
-/// What a ray that hits nothing sees.
+/// Returns the background color for a ray that hits nothing.
 R2::Color Background(const Scene& scene, const R3::Vector& direction);
 
-/// The t_min of a ray from the point.
+/// Returns the t_min of a ray from the point.
 inline double BeginTowards(const ShadingPoint& surface, const R3::Vector& direction) {
   if (surface.bias > 0) [[unlikely]]
     return surface.bias / Length(direction);
   return surface.departure.BeginTowards(direction);
 }
 
-/// A ray from the point in a new direction, on either side, in the same moment. It must not outlive the point.
+/// Returns a ray from the point in a new direction, on either side, at the same time. It must not outlive the point.
 R3::Ray SpawnRay(const ShadingPoint& surface, const R3::Vector& direction);
-/// R3::Ray::leaving of a ray from a point towards a light; `facing` is N . to_light.
+/// Returns R3::Ray::leaving of a ray from a point towards a light; `facing` is N . to_light.
 inline std::int64_t LeavingTowards(std::int64_t leaving, double facing) { return facing > 0 ? leaving : -1; }
-/// The t_max of a ray towards a light.
+/// Returns the t_max of a ray towards a light.
 inline double EndOf(const ShadowTarget& light) {
   return light.is_infinite ? R3::infinity : light.reaching < 0 ? 1 : beyond_target;
 }
-/// What the shadow rays from a point have in common, to be read once for all of them.
+/// The common properties of shadow rays from a point, to be read once for all of them.
 struct ShadowOrigin {
   explicit ShadowOrigin(const ShadingPoint& p) : point(&p), place(p.free_point), time(p.time), leaving(p.leaving) {}
 

@@ -9,19 +9,19 @@
 namespace ray {
 namespace {
 
-constexpr std::size_t most = 16;  // so that all numbers of a surface fit into a core's first cache
+constexpr std::size_t most = 16;  // so that all numbers fit into a core's first-level cache
 using PointColumns = R1::Columns<R3::Point, most>;
 using VectorColumns = R1::Columns<R3::Vector, most>;
 
-/// Surfaces that rays have hit, and what the points there become.
+/// Surfaces that rays have hit, and the data of the points there.
 struct Surfaces {
   std::size_t count = 0;
   std::array<ShadingPoint*, most> points;
   std::array<const R3::Ray*, most> rays;
   PointColumns origin, free_point;
   VectorColumns direction, normal, shading_normal, N, wo;
-  alignas(64) double begin[most], t[most], error[most];  // of the rays, and of what they hit
-  alignas(64) double facing[most], clearance[most];      // n . direction, and of departures
+  alignas(64) double begin[most], t[most], error[most];  // of the rays and their hits
+  alignas(64) double facing[most], clearance[most];      // n . direction; of departures
 
   bool IsFull() const { return count == most; }
   void Add(ShadingPoint& p, const R3::Ray& ray, const Instance& instance) {
@@ -33,7 +33,7 @@ struct Surfaces {
   }
 };
 
-/// Surfaces of flat triangles: one object, so that it is clear that no arrays overlap.
+/// Surfaces of flat triangles: one object whose arrays obviously do not overlap.
 struct FlatSurfaces : Surfaces {
   R1::Columns<R3::Point, most> corners[3];
 
@@ -46,7 +46,7 @@ struct FlatSurfaces : Surfaces {
 
 /// Surfaces of the world's spheres.
 struct RoundSurfaces : Surfaces {
-  VectorColumns from_center;  // to where the ray says that they meet
+  VectorColumns from_center;  // to the hit point on the ray
 
   void Add(ShadingPoint& p, const R3::Ray& ray, const Instance& instance, const R3::SphereData& sphere) {
     from_center.Set(count, ray.At(p.hit.t) - sphere.center);
@@ -83,8 +83,8 @@ void FaceRays(Surfaces& all) {
   }
 }
 
-/// Fills in the rest, which differs from point to point.
-///   is_smoothed   whether the shading normals may be others than the surfaces'
+/// Sets the remaining members, one point at a time.
+///   is_smoothed   shading normals may differ from the surfaces'
 template <bool is_smoothed>
 void Finish(const World& world, const Surfaces& all) {
   for (std::size_t i = 0; i < all.count; ++i) {
@@ -107,7 +107,7 @@ void Finish(const World& world, const Surfaces& all) {
   }
 }
 
-/// Points on flat triangles, on spheres, and on any other surfaces.
+/// Completes points on flat triangles, on spheres, and on any other surfaces.
 class Completion {
  public:
   explicit Completion(const World& world) : world_(world) {}

@@ -6,16 +6,16 @@
 
 namespace ray {
 
-/// Where shadow rays towards the samples of a light begin, in columns.
+/// The starts of shadow rays towards the samples of a light, in columns.
 struct ShadowStarts {
   alignas(64) LightSamples::Each begin, facing;  // their t_min, and N . to_light
 };
 
-/// Finds where rays begin that each leave another point.
+/// Computes the starts of rays that each leave another point.
 ///   bias   the same for all points
 void MakeShadowStarts(const R1::Columns<R3::Vector>& N, const LightSamples::Each& clearance, double bias,
                       const LightSamples& samples, ShadowStarts& starts);
-/// Finds where rays begin that all leave one point.
+/// Computes the starts of rays that all leave one point.
 void MakeShadowStarts(const ShadingPoint& p, const LightSamples& samples, ShadowStarts& starts);
 
 }  // namespace ray

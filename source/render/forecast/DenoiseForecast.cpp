@@ -18,11 +18,11 @@
 namespace ray {
 namespace {
 
-// Looks are at this share of the pixels: in small rectangles for guides, whose price depends on what is seen, and in
-// one larger for filters, whose price hardly does but which are slower on small pictures.
+// Fraction of the pixels at which a forecast looks: in small rectangles for guides, whose cost depends on the visible
+// scene, and in a larger one for filters, whose cost hardly does but which are slower on small images.
 constexpr double looked_at = 1.0 / 32;
 constexpr int least_places = 12, most_rows_of_place = 16, rows_for_filters = 64;
-constexpr double growth_between_looks = 1.3;  // of the samples, at least
+constexpr double growth_between_looks = 1.3;  // minimum, of the samples
 
 template <typename Work>
 void InArena(int threads, const Work& work) {
@@ -40,8 +40,8 @@ R2::Image Noise(int side, std::uint64_t seed) {
   return image;
 }
 
-/// Guides that tell of the light that there is, so that pixels are as like as they come.
-Guides GuidesThatTell(const R2::Image& light) {
+/// Returns guides that contain the light itself, with which pixels are as similar as possible: the slowest case.
+Guides InformativeGuides(const R2::Image& light) {
   Pixels<PixelGuide> pixels(light.Width(), light.Height());
   for (int y = 0; y < light.Height(); ++y)
     for (int x = 0; x < light.Width(); ++x) {
@@ -55,7 +55,7 @@ Guides GuidesThatTell(const R2::Image& light) {
 double SecondsToFilterNoise(int side, const DenoiseFilters& filters) {
   constexpr int attempts = 3;
   const R2::Image a = Noise(side, 1), b = Noise(side, 2);
-  const Guides guides = GuidesThatTell(b);
+  const Guides guides = InformativeGuides(b);
   return LeastSecondsOf(attempts, [&] { Denoise(a, b, guides, filters); });
 }
 
@@ -90,7 +90,7 @@ void DenoiseForecast::Look(const Film& film, double samples, std::uint64_t rays,
   looked_at_ = samples;
   InArena(settings_.threads, [&] {
     LookAtGuides(film, samples, stop);
-    // What the library takes does not depend on the picture, but much on its size.
+    // The time of the library does not depend on the image, but strongly on its size.
     if (settings_.denoiser == Denoiser::regression) LookAtFilters(film);
   });
   ++looks_;
@@ -112,7 +112,7 @@ void DenoiseForecast::LookAtGuides(const Film& film, double samples, const std::
       gathered[i] = GatherGuides(world_, accelerator_, settings_, parts[i], refining, meter);
     });
   });
-  // Few samples do not see all edges; else all places count alike, since they differ by more than looks do.
+  // Few samples do not find all edges. With more, all places count equally, since they differ more than looks do.
   const double weight = std::min(samples, 16.0), weight_of_sample = weight / samples;
   guides_.seconds += samples * seconds;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -126,10 +126,10 @@ void DenoiseForecast::LookAtGuides(const Film& film, double samples, const std::
 void DenoiseForecast::LookAtFilters(const Film& film) {
   const int columns = std::max(rows_for_filters, static_cast<int>(looked_at * pixels_ / rows_for_filters));
   const Film part = film.Cut(SpreadRectangle(film.Region(), columns, rows_for_filters, looks_));
-  const Guides guides = GuidesThatTell(part.Picture());
+  const Guides guides = InformativeGuides(part.Image());
   const DenoiseFilters filters(Denoiser::regression);
   const double seconds = SecondsOf([&] {
-    const DenoisedPicture denoised = Denoise(part.Part(0), part.Part(1), guides, filters);
+    const DenoisedImage denoised = Denoise(part.Part(0), part.Part(1), guides, filters);
     MeasureDenoisedError(part, denoised, measure_);
   });
   filter_seconds_ = seconds * pixels_ / static_cast<double>(part.Region().Area());

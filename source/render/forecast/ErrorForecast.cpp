@@ -8,13 +8,13 @@
 namespace ray {
 namespace {
 
-/// How many times the target's square the square of the worse end of an error is.
+/// Returns the ratio of the squared worse end of an error's interval to the squared target.
 double SquaredRatio(const ErrorEstimate& error, const ErrorTarget& target) {
   if (target.unit == ErrorUnit::decibel) return R1::Pow(10, (target.value - error.high) / 10);
   return error.high / target.value * (error.high / target.value);
 }
 
-/// The last of these passes that had at most so many samples per pixel, and an error; null where none had.
+/// Returns the last of these passes that had at most that many samples per pixel, and an error; null if none had.
 const Pass* LastUpTo(double samples, std::span<const Pass> passes) {
   const auto found = std::find_if(passes.rbegin(), passes.rend(),
                                   [=](const Pass& pass) { return pass.error && pass.samples <= samples; });
@@ -24,8 +24,9 @@ const Pass* LastUpTo(double samples, std::span<const Pass> passes) {
 }  // namespace
 
 std::optional<ErrorForecast> ForecastOf(std::span<const Pass> passes, const ErrorTarget& target) {
-  constexpr double fastest = 2;     // squares of the best sequences, of smooth pictures, fall as 1 / samples^2
-  constexpr double slowest = 0.05;  // slower is not told from not falling: 20 doublings would halve the square
+  constexpr double fastest = 2;  // squared errors of the best sequences fall as 1 / samples^2 on smooth images
+  // slower cannot be distinguished from not falling: 20 doublings would halve the square
+  constexpr double slowest = 0.05;
   const Pass* now = LastUpTo(std::numeric_limits<double>::infinity(), passes);
   if (!now) return {};
   const double ratio = SquaredRatio(*now->error, target);

@@ -8,14 +8,17 @@
 
 namespace ray {
 
-/// What the passes of a render tell of one that reaches a target.
+/// A prediction, from the passes of a render, of when its error reaches a target.
 struct ErrorForecast {
-  double samples = 0;  // per pixel on average, of which the error would be at the target; infinity: it does not fall
-  bool has_stalled = false;  // with sixteen times the samples, the squared error has not fallen by half
+  // per pixel on average at which the error would be at the target; infinity: it does not fall
+  double samples = 0;
+  // with sixteen times the samples, the squared error has not fallen by half
+  bool has_stalled = false;
 };
 
-/// By how fast the upper end of the error's interval has fallen since there were a quarter of the samples; from one
-/// pass alone, as it falls for independent samples: its square as 1 / samples. Nothing where none was measured.
+/// Predicts from the fall of the upper end of the error's interval since a quarter of the samples. From a single pass,
+/// assumes that the error falls as for independent samples: its square as 1 / samples. Returns std::nullopt if none was
+/// measured.
 std::optional<ErrorForecast> ForecastOf(std::span<const Pass> passes, const ErrorTarget& target);
 
 }  // namespace ray

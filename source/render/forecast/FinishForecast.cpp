@@ -11,27 +11,27 @@
 namespace ray {
 namespace {
 
-// Squares of so many pixels a side are looked at: few, and little of the picture.
+// Squares of this many pixels on a side are examined: few, and a small part of the image.
 constexpr int side_of_part = 128, most_parts = 8;
 constexpr double most_looked_at = 1.0 / 32;
-// What pictures of 4 to 67 million pixels took beside their parts, as PNG and as JPEG, by pixel: for memory that the
-// system must find and caches do not hold.
+// The additional seconds per pixel of images of 4 to 67 million pixels, compared with their parts, as PNG and as JPEG:
+// for memory that the system must allocate and that exceeds caches.
 constexpr double seconds_of_memory = 10e-9;
 
-/// The parts' pictures one above the other, so that what each file costs apart from its pixels counts once.
+/// Stacks the parts' images, so that the fixed cost of a file counts once.
 R2::Image Stacked(std::span<const Film> parts, R2::Quantization quantization) {
   const int width = parts[0].Region().Width(), height = parts[0].Region().Height();
   R2::Image stack(width, height * static_cast<int>(parts.size()));
   int row = 0;
   for (const Film& part : parts) {
-    const R2::Image picture = part.Picture(quantization);
+    const R2::Image image = part.Image(quantization);
     for (int y = 0; y < height; ++y, ++row)
-      for (int x = 0; x < width; ++x) stack.Set(x, row, picture.At(x, y));
+      for (int x = 0; x < width; ++x) stack.Set(x, row, image.At(x, y));
   }
   return stack;
 }
 
-/// What an image of few samples looks like, once the pixels between them are filled.
+/// Returns an image that resembles one of few samples after the pixels between them are filled.
 R2::Image Slope(int side) {
   R2::Image image(side, side);
   for (int y = 0; y < side; ++y)
@@ -45,7 +45,7 @@ R2::Image Slope(int side) {
 }  // namespace
 
 double SecondsToFinish(const RenderSettings& settings, const std::function<void(const R2::Image&)>& encode) {
-  // Images of 16 and 67 million pixels, a 64th of which had a sample, took so long on two threads.
+  // Images of 16 and 67 million pixels, a 64th of which had a sample, took this long on two threads.
   constexpr double seconds_to_compose_a_pixel = 20e-9, price_beside_slope = 1.2;
   constexpr int side = 128, attempts = 4;
   const R2::Image slope = Slope(side);
@@ -73,7 +73,7 @@ void FinishForecast::Look(const Film& film, R2::Quantization quantization) {
   const auto pixels_seen = static_cast<double>(count * parts[0].Region().Area());
   const double seconds = LeastSecondsOf(2, [&] { encode_(Stacked(parts, quantization)); });
   const double foretold = (seconds / pixels_seen + seconds_of_memory) * pixels;
-  seconds_ = has_looked_ ? (seconds_ + foretold) / 2 : foretold;  // what a look tells of the machine varies
+  seconds_ = has_looked_ ? (seconds_ + foretold) / 2 : foretold;  // measurements vary with the machine's load
   has_looked_ = true;
 }
 

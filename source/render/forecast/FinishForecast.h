@@ -8,26 +8,27 @@
 
 namespace ray {
 
-/// How long an image of which nothing is known yet takes from its last sample to the finished file, in seconds: told by
-/// encoding a small image, as `encode` does it.
-///   accuracy   what is seen bears on it, so FinishForecast looks at the image itself
+/// Estimates the time from an image's last sample to the finished file, in seconds, if nothing is known of the image
+/// yet, by encoding a small image with `encode`.
+///   accuracy   the time depends on the visible scene, so FinishForecast examines the image itself
 double SecondsToFinish(const RenderSettings& settings, const std::function<void(const R2::Image&)>& encode);
 
-/// The budget of a render, told how long finishing and filtering take here; as it is where there is no time limit. Throws
-/// DenoiserError.
+/// Returns the budget of a render, with the times of finishing and filtering on this machine; unchanged without a time
+/// limit. Throws DenoiserError.
 Budget BudgetWithFinish(const RenderSettings& settings, const std::function<void(const R2::Image&)>& encode);
 
-/// Forecasts how long an image takes from its last sample to the finished file, by composing and encoding parts of it,
-/// since that depends on what is seen.
+/// Predicts the time from an image's last sample to the finished file. It composes and encodes parts of the image,
+/// since the time depends on the visible scene.
 ///   accuracy   measured in docs/accuracy.md
 class FinishForecast {
  public:
+  /// Creates a forecast.
   ///   seconds   the estimate until the first look
-  ///   encode    encodes an image as it will be written; may be empty, and then looks tell nothing
+  ///   encode    encodes an image as it will be written; may be empty, and then looks have no effect
   FinishForecast(double seconds, std::function<void(const R2::Image&)> encode)
       : encode_(std::move(encode)), seconds_(seconds) {}
 
-  /// Looks at the image as it is; `quantization` says how its pixels will become bytes.
+  /// Examines the current image; `quantization` says how its pixels will become bytes.
   void Look(const Film& film, R2::Quantization quantization);
   double Seconds() const { return seconds_; }
 

@@ -10,7 +10,7 @@ inline double SecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// How long work takes, by the clock.
+/// Measures the wall-clock time of work.
 template <typename Work>
 double SecondsOf(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -18,8 +18,8 @@ double SecondsOf(const Work& work) {
   return SecondsSince(start);
 }
 
-/// The least of several attempts: the first may have to make what is made once only, and others may have to wait for a
-/// processor, or for memory.
+/// Returns the least of several attempts: the first one may have to initialize data, and others may have to wait for a
+/// processor or for memory.
 template <typename Work>
 double LeastSecondsOf(int attempts, const Work& work) {
   double least = std::numeric_limits<double>::infinity();

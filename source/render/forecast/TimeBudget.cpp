@@ -42,7 +42,8 @@ std::optional<TimeBudget::Clock::time_point> TimeBudget::EndOfGuides() const {
 
 void TimeBudget::Look(const Film& film, double samples, double seconds_of_sample, std::uint64_t rays,
                       const std::atomic<bool>* stop) {
-  constexpr double least = 0.02;  // of the limit: less to finish does not bear on when to stop
+  // of the limit: a shorter time to finish does not affect when to stop
+  constexpr double least = 0.02;
   if (denoise_ && after_.is_in_time) {
     denoise_->Look(film, samples, rays, stop);
     NoteTimeToDenoise(samples, seconds_of_sample);
@@ -51,13 +52,13 @@ void TimeBudget::Look(const Film& film, double samples, double seconds_of_sample
     finish_.Look(film, settings_.quantization);
 }
 
-/// Forecasts how long an image of so many samples per pixel, each taken in so many seconds, takes to be denoised. Where
-/// it would be far too late, denoising is given up, and samples have all the time.
+/// Predicts the time to denoise an image with that many samples per pixel, each taken in `seconds_of_sample`. If it
+/// would finish far too late, denoising is given up, and samples have all the time.
 void TimeBudget::NoteTimeToDenoise(double samples, double seconds_of_sample) {
   if (!denoise_ || !after_.is_in_time) return;
-  constexpr double most_late = 0.2;  // of the limit; a little late is better than not denoised
-  constexpr double least_samples = 2;  // per pixel, that can be denoised
-  // Until more is known, guides are taken to take as long as samples.
+  constexpr double most_late = 0.2;    // of the limit; slightly late is better than not denoised
+  constexpr double least_samples = 2;  // per pixel, required to denoise
+  // Until more is known, assumes that guides take as long as samples.
   const bool has_looked = denoise_->HasLooked();
   TimeAfter now;
   now.seconds_of_sample = has_looked ? denoise_->SecondsOfSample(samples) : seconds_of_sample;
@@ -69,7 +70,7 @@ void TimeBudget::NoteTimeToDenoise(double samples, double seconds_of_sample) {
   if (!is_late) {
     after_ = now;
   } else if (samples > 0 && !after_.is_in_doubt) {
-    // Other programs may have held up so short a pass, or the look at denoising: the next one has to agree.
+    // Other programs may have delayed so short a pass, or the look at denoising: the next one must confirm it.
     after_.is_in_doubt = true;
     denoise_->Forget();
   } else {

@@ -10,14 +10,14 @@
 
 namespace ray {
 
-/// Fraction of a time limit at which the last sample, with all that follows it, should be done. What is left is for
-/// passes that take longer than expected and for forecasts that were too short.
+/// The fraction of a time limit at which the last sample, with all that follows it, should be done. The rest is a
+/// reserve for passes that take longer than expected and for forecasts that were too short.
 inline constexpr double share_of_time_aimed_at = 0.97;
-/// Fraction at which a pass is broken off: half of the reserve is for passes, half for forecasts.
+/// The fraction at which a pass is interrupted: half of the reserve is for passes, half for forecasts.
 inline constexpr double latest_share_of_time = (1 + share_of_time_aimed_at) / 2;
 
-/// The time limit of one render: how much of it is left for samples once the denoiser and the writing of the file have
-/// theirs. Without a limit it only tells the time.
+/// The time limit of one render: the time left for samples after subtracting that of the denoiser and of writing the
+/// file. Without a limit it is only a clock.
 class TimeBudget {
  public:
   using Clock = std::chrono::steady_clock;
@@ -29,37 +29,38 @@ class TimeBudget {
   TimeBudget(const RenderSettings& settings, Clock::time_point start, double seconds_before, FinishForecast finish,
              DenoiseForecast* denoise);
 
-  /// Seconds since the program began.
+  /// Returns the seconds since the program began.
   double Seconds() const;
-  /// Seconds since the render began.
+  /// Returns the seconds since the render began.
   double SecondsOfRender() const { return Seconds() - seconds_before_; }
 
-  /// Looks at the film after a pass, where that bears on when to stop.
+  /// Updates the forecasts from the film after a pass, if they affect when to stop.
   ///   samples            per pixel, on average, so far
   ///   seconds_of_sample  seconds that a sample of every pixel took in the pass
   ///   rays               of the render so far; `stop` as in RenderMonitor
   void Look(const Film& film, double samples, double seconds_of_sample, std::uint64_t rays,
             const std::atomic<bool>* stop);
 
-  /// Seconds from the last sample to the written file, were no more samples taken; 0 without a limit.
+  /// Returns the seconds from the last sample to the written file if no more samples were taken; 0 without a limit.
   double SecondsAfter() const { return IsLimited() ? after_.seconds + finish_.Seconds() : 0; }
-  /// Seconds that each further sample per pixel adds to these.
+  /// Returns the seconds that each further sample per pixel adds to these.
   double SecondsAfterPerSample() const { return after_.seconds_of_sample; }
 
-  /// When a pass must be broken off that would take the image from `samples` to `end` samples per pixel; nothing
+  /// Returns the time at which a pass from `samples` to `end` samples per pixel must be interrupted; std::nullopt
   /// without a limit.
   std::optional<Clock::time_point> Deadline(double samples, double end) const;
 
-  /// Whether the image is to be denoised within the limit.
+  /// Returns true if the image is to be denoised within the limit.
   bool Denoises() const { return denoise_ != nullptr; }
-  /// Whether there was time to denoise; true as well where nothing is to be denoised within a limit.
+  /// Returns true if there was time to denoise, or if nothing is to be denoised within a limit.
   bool HasTimeToDenoise() const { return after_.is_in_time; }
   /// Returns true if there is time to denoise the image twice: now, to measure its error, and at the end.
   bool HasTimeToLook() const { return !IsLimited() || 2 * after_.seconds < SecondsUntilWriting(); }
-  /// When the denoiser's guides must be done, so that its filters are in time; nothing without a limit.
+  /// Returns the time at which the denoiser's guides must be done so that its filters are in time; std::nullopt without
+  /// a limit.
   std::optional<Clock::time_point> EndOfGuides() const;
 
-  /// The time so many seconds from now; 0 for less, some years for more.
+  /// Returns the time that many seconds from now; now for negative numbers, some years for very large ones.
   static Clock::time_point In(double seconds);
 
  private:

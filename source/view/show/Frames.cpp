@@ -20,17 +20,17 @@ bool IsLight(RenderMode mode) {
 }
 
 /// The rows of key S that are done.
-void ShowTrace(const TracedPictures& pictures, FrameState::Picture& picture) {
+void ShowTrace(const TracedPictures& pictures, FrameState::ShownImage& picture) {
   picture.frame = &pictures.Trace()->frame();
   picture.number = pictures.TraceNumber();
   picture.rows = pictures.Trace()->RowsDone();
 }
 
 /// The image of key S where it hangs in space; nothing where it does not.
-std::optional<FrameState::Picture> QuadInSpace(const ViewerState& viewer, const Exposure& exposure) {
+std::optional<FrameState::ShownImage> QuadInSpace(const ViewerState& viewer, const Exposure& exposure) {
   const auto quad = viewer.Quad();
   if (!quad) return {};
-  FrameState::Picture picture;
+  FrameState::ShownImage picture;
   ShowTrace(viewer.pictures, picture);
   picture.exposure = exposure;
   picture.corners.emplace();
@@ -40,8 +40,8 @@ std::optional<FrameState::Picture> QuadInSpace(const ViewerState& viewer, const 
 }
 
 /// The image that covers the view, live or flat; nothing where none does.
-std::optional<FrameState::Picture> CoveringPicture(const ViewerState& viewer) {
-  FrameState::Picture picture;
+std::optional<FrameState::ShownImage> CoveringPicture(const ViewerState& viewer) {
+  FrameState::ShownImage picture;
   picture.exposure = {R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb,
                       viewer.settings.render.quantization};
   const bool is_traced = !viewer.pictures.IsLive() && viewer.pictures.Trace();
@@ -73,20 +73,20 @@ std::optional<FrameState::Picture> CoveringPicture(const ViewerState& viewer) {
 
 /// What the flat image needs of a frame: the slider, and what is beside it; and nothing in space.
 void ShowFlat(const ViewerState& viewer, FrameState& shown) {
-  if (!viewer.FlatJob() || !shown.picture) return;
+  if (!viewer.FlatJob() || !shown.covering) return;
   static const auto no_lines = std::make_shared<const Lines>();
   shown.lines = no_lines;
   shown.marks = shown.lit = nullptr;
   shown.shows_edges = false;
   shown.split = static_cast<int>(std::lround(viewer.flat.Slider() * shown.view.width));
   if (!viewer.pictures.Reference()) return;
-  shown.beside = FrameState::Picture{};
+  shown.beside = FrameState::ShownImage{};
   shown.beside->image = viewer.pictures.Reference();
-  shown.beside->exposure = shown.picture->exposure;
+  shown.beside->exposure = shown.covering->exposure;
   const RenderSettings& settings = viewer.FlatJob()->Settings();
   const bool is_whole =
       shown.beside->image->Width() == settings.width && shown.beside->image->Height() == settings.height;
-  shown.beside->place = is_whole ? viewer.PlaceOfPicture() : shown.picture->place;
+  shown.beside->place = is_whole ? viewer.PlaceOfPicture() : shown.covering->place;
 }
 
 /// Whether lines in space are drawn over the view.
@@ -126,11 +126,11 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
     shown.lit =
         std::make_shared<const Lines>(ChosenRay(*viewer.rays.Pixel(), viewer.scene.Space(), viewer.rays.Look()));
   shown.quad = QuadInSpace(viewer, exposure);
-  shown.picture = CoveringPicture(viewer);
-  if (shown.picture && viewer.pictures.ShownLive() && HasLines(shown) && viewer.navigator.camera().IsPinhole()) {
+  shown.covering = CoveringPicture(viewer);
+  if (shown.covering && viewer.pictures.ShownLive() && HasLines(shown) && viewer.navigator.camera().IsPinhole()) {
     viewer.pictures.TraceDepths();
     if (const RenderJob* depths = viewer.pictures.Depths())
-      shown.picture->depths = {&depths->frame(), viewer.pictures.DepthsNumber(), viewer.scene.Space().radius};
+      shown.covering->depths = {&depths->frame(), viewer.pictures.DepthsNumber(), viewer.scene.Space().radius};
   }
   ShowFlat(viewer, shown);
   shown.line_width = LineWidth(viewer);

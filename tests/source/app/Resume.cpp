@@ -58,14 +58,14 @@ TEST(Resume, RefusesAnythingButTheImageOfOneRun) {
     std::vector<std::string> first, then;
     const char* reason;
   } cases[] = {
-      {{"-samples", "4"}, {"-samples", "2"}, "samples can be added, not taken away"},
+      {{"-samples", "4"}, {"-samples", "2"}, "samples can be added but not removed"},
       {{"-samples", "4", "-sampler", "stratified"}, {"-samples", "8", "-sampler", "stratified"}, "in advance"},
       {{"-samples", "4", "-sampler", "grid"}, {"-samples", "9", "-sampler", "grid"}, "in advance"},
       {{"-samples", "6", "-filter", "mitchell"}, {"-samples", "8", "-filter", "mitchell"}, "1, 2, 4, ... 64, 128"},
       {{"-samples", "4", "-error", "100"}, {"-samples", "8", "-error", "100"}, "with -error"},
       {{"-samples", "4"}, {"-samples", "8", "-seed", "3"}, "-seed 0"},
       {{"-samples", "1"}, {"-samples", "4"}, "in the middle of its pixel"},
-      {{"-time", "0.1"}, {}, "more than -samples 1: samples can be added, not taken away"},
+      {{"-time", "0.1"}, {}, "more than -samples 1: samples can be added but not removed"},
   };
   for (auto [first, then, reason] : cases) {
     first.insert(first.end(), {"-keep_checkpoint", "-restart"});

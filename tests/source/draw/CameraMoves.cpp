@@ -23,7 +23,7 @@ class CameraMoves : public testing::Test {
     camera.xfov = Number(0.1, 1);
     return camera;
   }
-  /// One whose picture has its own aspect and is not around the axis.
+  /// A camera whose image has its own aspect and is not centered on the axis.
   Camera AnyShiftedCamera() {
     Camera camera = AnyCamera();
     camera.aspect = Number(0.5, 3);
@@ -44,7 +44,7 @@ bool Equal(const Camera& a, const Camera& b) {
          a.near == b.near && a.far == b.far && a.aspect == b.aspect && a.shift.x == b.shift.x && a.shift.y == b.shift.y;
 }
 
-TEST_F(CameraMoves, AimedAgainACameraStaysAsItIs) {
+TEST_F(CameraMoves, ACameraAimedAgainIsUnchanged) {
   for (int i = 0; i < 20000; ++i) {
     const Camera once = Aim(R3::Point{} + Vector(1e3), Vector(3), Vector(1e-3)).camera;
     const Camera twice = Aim(once.eye, once.towards, once.up).camera;
@@ -82,8 +82,8 @@ TEST_F(CameraMoves, RotationKeepsThePixelOfItsCenter) {
   }
 }
 
-TEST_F(CameraMoves, RotationIsTheCourses) {
-  // Looking down -z from z = 5; a drag to the right by a tenth turns the eye to the left by 0.4 radians.
+TEST_F(CameraMoves, RotationIsThatOfTheCourse) {
+  // A view along -z from z = 5; a drag to the right by a tenth rotates the eye to the left by 0.4 radians.
   Camera camera;
   camera.eye = {0, 0, 5};
   const Camera turned = Rotated(camera, {0, 0, 0}, {0.1, 0});
@@ -92,7 +92,7 @@ TEST_F(CameraMoves, RotationIsTheCourses) {
   EXPECT_NEAR(turned.eye.y, 0, 1e-12);
 }
 
-TEST_F(CameraMoves, AFullTurnInSingleDegreesComesHome) {
+TEST_F(CameraMoves, AFullTurnInSingleDegreesReturnsToTheStart) {
   for (int i = 0; i < 10; ++i) {
     const Camera start = AnyCamera();
     const R3::Point center = InFrontOf(start);
@@ -157,7 +157,7 @@ TEST_F(CameraMoves, TheTurntableKeepsTheHorizon) {
   }
 }
 
-// An axis view from above would else spin when it is first touched.
+// Otherwise an axis view from above would spin at the first touch.
 TEST_F(CameraMoves, TheTurntableTurnsAViewAlongTheVerticalSmoothly) {
   const R3::Vector vertical{0, 1, 0};
   const Camera camera = FromAxis(AnyCamera(), {}, {0, -1, 0}, {0, 0, -1});

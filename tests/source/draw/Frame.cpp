@@ -16,7 +16,7 @@ TEST(Frame, IsBlackAndUntouchedAtFirst) {
   EXPECT_EQ(frame.Version(1), 0u);
 }
 
-TEST(Frame, CopiesRowsFromTheBottomBehindWhatIsThere) {
+TEST(Frame, AppendsRowsFromTheBottom) {
   Frame frame(2, 3);
   R2::Image rows(2, 2);
   for (int y = 0; y < 2; ++y)
@@ -31,8 +31,8 @@ TEST(Frame, CopiesRowsFromTheBottomBehindWhatIsThere) {
   EXPECT_EQ(frame.Version(2), 1u);
 }
 
-// Else the viewer would take a row for new and draw it without its last pixels, until something else touched it.
-TEST(Frame, WhoSeesAVersionSeesWhatWasSetBeforeIt) {
+// Otherwise the viewer would take a row as new and draw it without its last pixels, until something else changed it.
+TEST(Frame, AVersionIsVisibleAfterItsPixels) {
   constexpr int width = 16, times = 20'000;
   Frame frame(width, 1);
   std::thread writer([&] {

@@ -9,7 +9,7 @@ using ray::MotionDetail;
 
 constexpr ray::DrawingSize large{3840, 2160};
 
-/// A frame of a view that differs from those of other numbers.
+/// Returns a frame of a view that differs from those of other numbers.
 ray::FrameState ViewOf(int number, const ray::DrawingSize& size = large) {
   ray::FrameState shown;
   shown.clip_from_drawing[0] = number;
@@ -17,12 +17,12 @@ ray::FrameState ViewOf(int number, const ray::DrawingSize& size = large) {
   return shown;
 }
 
-/// A drawing time that is proportional to the pixels drawn.
+/// Returns a drawing time that is proportional to the pixels drawn.
 auto ByPixels(double full) {
   return [full](const DrawingDetail& detail) { return full / (detail.pixel_step * detail.pixel_step); };
 }
 
-/// Draws a view until it is as fine as it will be, and returns how that is.
+/// Draws a view until it has its final detail, and returns that.
 template <typename Seconds>
 DrawingDetail Rest(MotionDetail& detail, const Seconds& seconds, const ray::FrameState& shown, double now = 0) {
   for (int count = 0;; ++count) {
@@ -34,8 +34,8 @@ DrawingDetail Rest(MotionDetail& detail, const Seconds& seconds, const ray::Fram
   }
 }
 
-/// The details of drawings each 1/100 s after the one before, of views that move after a rest, each as slow as
-/// `seconds` says of it.
+/// Returns the details of drawings at intervals of 1/100 s, of views that move after a rest; `seconds` returns the time
+/// of each.
 template <typename Seconds>
 std::vector<DrawingDetail> Moving(MotionDetail& detail, int count, const Seconds& seconds,
                                   const ray::DrawingSize& size = large) {
@@ -54,7 +54,7 @@ std::vector<int> StepsOf(const std::vector<DrawingDetail>& details) {
   return steps;
 }
 
-TEST(MotionDetail, StaysFullWhereDrawingKeepsUpWithTheScreen) {
+TEST(MotionDetail, StaysFullIfDrawingKeepsUpWithTheScreen) {
   MotionDetail detail;
   for (const DrawingDetail& drawn : Moving(detail, 4, ByPixels(0.008))) EXPECT_EQ(drawn, DrawingDetail{});
   EXPECT_FALSE(detail.RefinementTime());
@@ -106,7 +106,7 @@ TEST(MotionDetail, StaysRoughAtRestIfSmoothingWouldDelayEvents) {
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(Rest(quick, slow_when_smooth(0.15, 0.6), ViewOf(i), i).is_smooth);
 }
 
-TEST(MotionDetail, ForgetsHowLongAnotherSceneTook) {
+TEST(MotionDetail, ForgetsTheTimesOfAnotherScene) {
   MotionDetail detail;
   Rest(detail, ByPixels(5), ViewOf(0));
   ray::FrameState other = ViewOf(0);
@@ -118,7 +118,7 @@ TEST(MotionDetail, LearnsNothingFromDrawingsOfATracedImage) {
   MotionDetail detail;
   Rest(detail, ByPixels(2), ViewOf(0));
   ray::FrameState traced = ViewOf(0);
-  traced.picture.emplace();
+  traced.covering.emplace();
   for (int i = 0; i < 3; ++i) {
     detail.For(traced, i);
     detail.Took(0.001);
@@ -137,7 +137,7 @@ TEST(MotionDetail, ForgetsAFirstDrawingThatWasSlowForOnce) {
   EXPECT_EQ(detail.For(ViewOf(4), 2), DrawingDetail{});
 }
 
-TEST(MotionDetail, LeavesPixelsEnoughInSmallWindows) {
+TEST(MotionDetail, KeepsEnoughPixelsInSmallWindows) {
   for (const auto& [size, step] :
        {std::pair<ray::DrawingSize, int>{{320, 200}, 1}, {{512, 512}, 2}, {{1280, 800}, 3}}) {
     MotionDetail detail;
@@ -145,7 +145,7 @@ TEST(MotionDetail, LeavesPixelsEnoughInSmallWindows) {
   }
 }
 
-TEST(MotionDetail, DrawsAStillViewInAllPixelsHoweverOften) {
+TEST(MotionDetail, DrawsAStillViewInAllPixelsAnyNumberOfTimes) {
   MotionDetail detail;
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(detail.For(ViewOf(0, {512, 512}), 0.01 * i).pixel_step, 1);

@@ -34,9 +34,9 @@ TEST(BlockOrder, PlacesInPartOfABlockMatchTheWhole) {
   EXPECT_EQ(row / 8, 1);
 }
 
-// How far a pixel may be from the nearest of the first `places`, in a plane of such blocks: half a diagonal of a square
-// lattice, half a side of the quincunx's, which lies askew.
-TEST(BlockOrder, EveryBeginningOfAPowerOfTwoIsALattice) {
+// The distance of a pixel from the nearest of the first `places`, in a plane of such blocks: at most half a diagonal of
+// a square lattice, half a side of the quincunx, which is rotated.
+TEST(BlockOrder, EveryPrefixOfAPowerOfTwoIsALattice) {
   for (int places = 1; places <= 64; places *= 2) {
     std::set<int> distances;
     for (int y = 0; y < 8; ++y)
@@ -69,7 +69,7 @@ struct Partly {
   }
 };
 
-/// A ramp of which the first `places` of each block are known, the image's corner being at x0, y0.
+/// A ramp with the first `places` of each block known and the image's corner at x0, y0.
 Partly KnowingPlaces(int places, int x0, int y0) {
   Partly partly;
   const R2::Image ramp = Ramp();
@@ -79,13 +79,13 @@ Partly KnowingPlaces(int places, int x0, int y0) {
   return partly;
 }
 
-TEST(FillGaps, ALinearPictureIsWholeAgainAwayFromItsRim) {
+TEST(FillGaps, RestoresALinearImageAwayFromItsEdges) {
   const R2::Image ramp = Ramp();
   for (int places = 1; places <= 64; places *= 2)
     for (const int corner : {0, 3, 13}) {
       Partly partly = KnowingPlaces(places, corner, corner);
       FillGaps(partly.image, corner, corner, partly.is_known);
-      // The rim, which lacks a neighbor, is felt as far as a block reaches and half, a quarter ... of one more.
+      // The edge, which lacks a neighbor, has an effect up to a distance of a block plus half, a quarter ... of one.
       for (int y = 16; y < rows - 16; ++y)
         for (int x = 16; x < columns - 16; ++x) {
           EXPECT_NEAR(partly.image.At(x, y).r, ramp.At(x, y).r, 1e-6) << places << ", " << corner << ", " << x;
@@ -94,7 +94,7 @@ TEST(FillGaps, ALinearPictureIsWholeAgainAwayFromItsRim) {
     }
 }
 
-TEST(FillGaps, WhatIsKnownStaysAndTheRestLiesBetween) {
+TEST(FillGaps, KeepsKnownPixelsAndInterpolatesTheRest) {
   for (int places = 1; places < 64; places += 3) {
     Partly partly = KnowingPlaces(places, 5, 2);
     const R2::Image before = partly.image;
@@ -111,7 +111,7 @@ TEST(FillGaps, WhatIsKnownStaysAndTheRestLiesBetween) {
   }
 }
 
-TEST(FillGaps, OnePixelThatIsKnownIsThePicture) {
+TEST(FillGaps, ASingleKnownPixelFillsTheImage) {
   Partly partly;
   const R2::Color red{1, 0, 0};
   partly.Know(31, 4, red);
@@ -120,7 +120,7 @@ TEST(FillGaps, OnePixelThatIsKnownIsThePicture) {
     for (int x = 0; x < columns; ++x) EXPECT_EQ(partly.image.At(x, y), red);
 }
 
-TEST(FillGaps, WhereNothingIsKnownThePictureStaysAsItIs) {
+TEST(FillGaps, WithoutKnownPixelsTheImageIsUnchanged) {
   Partly partly;
   partly.image.Set(3, 3, {1, 1, 1});
   const R2::Image before = partly.image;
@@ -128,7 +128,7 @@ TEST(FillGaps, WhereNothingIsKnownThePictureStaysAsItIs) {
   EXPECT_EQ(partly.image, before);
 }
 
-// Plain means would make a stair of grays of it.
+// Plain means would turn it into steps of gray.
 TEST(FillGaps, ADiagonalEdgeStaysSharp) {
   for (const bool rises : {false, true}) {
     const auto is_white = [&](int x, int y) { return rises ? x > y : x + y > 48; };

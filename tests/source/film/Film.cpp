@@ -12,7 +12,7 @@
 namespace ray {
 namespace {
 
-/// `samples` per pixel from first on at random places, each of a color that `color` makes of its key.
+/// Adds `samples` per pixel, from number `first` on, at random places; `color` returns the color for the key of each.
 template <typename Shade>
 void Expose(Film& film, int part, std::uint32_t first, std::uint32_t last, const Shade& color) {
   for (int i = 0; i < film.Blocks(); ++i) {
@@ -35,11 +35,11 @@ R2::Color Noise(double, double, const RandomKey& key) {
   return {key.Child(3).Number(), key.Child(4).Number(), key.Child(5).Number()};
 }
 
-TEST(Film, AConstantPictureStaysConstantUnderEveryFilter) {
+TEST(Film, AConstantImageStaysConstantUnderEveryFilter) {
   for (const FilterKind kind : kinds) {
     Film film(21, 19, {0, 0, 21, 19}, kind);
     Expose(film, 0, 0, 4, [](double, double, const RandomKey&) { return R2::Color{0.25, 3, 0.75}; });
-    const R2::Image image = film.Picture();
+    const R2::Image image = film.Image();
     for (int y = 0; y < 19; ++y)
       for (int x = 0; x < 21; ++x) {
         EXPECT_NEAR(image.At(x, y).r, 0.25, 1e-7) << NameOf(kind);
@@ -67,14 +67,14 @@ TEST(Film, ACutHasThePixelsOfTheWhole) {
   }
 }
 
-/// The picture by the definition: each pixel asks every sample of the whole for its weight.
+/// The image by definition: each pixel adds up the weights of all samples of the whole.
 TEST(Film, PixelsAreWeightedMeansOfSamplesInReach) {
   constexpr int width = 20, height = 18;
   constexpr std::uint32_t samples = 3;
   for (const FilterKind kind : kinds) {
     Film film(width, height, {0, 0, width, height}, kind);
     Expose(film, 0, 0, samples, Noise);
-    const R2::Image image = film.Picture();
+    const R2::Image image = film.Image();
     for (int py = 0; py < height; ++py)
       for (int px = 0; px < width; ++px) {
         double sum = 0, weights = 0;
@@ -100,23 +100,23 @@ TEST(Film, SplittingSamplesIntoPassesChangesNoBit) {
     Expose(often, 0, 0, 2, Noise);
     Expose(often, 0, 2, 3, Noise);
     Expose(often, 0, 3, 7, Noise);
-    EXPECT_TRUE(once.Picture() == often.Picture()) << NameOf(kind);
+    EXPECT_TRUE(once.Image() == often.Image()) << NameOf(kind);
   }
 }
 
-// A pixel is put together from blocks; where their borders run may change the last digits of a double, not of a float
-// picture beyond rounding, and which of its neighbors are in the film changes nothing at all.
+// A pixel is the sum of blocks. The position of their borders may change the last digits of a double, but the floats of
+// the image only by rounding. The neighbors in the film change nothing at all.
 TEST(Film, AWindowMatchesTheWholeUnderEveryFilter) {
   for (const FilterKind kind : kinds) {
     Film whole(40, 33, {0, 0, 40, 33}, kind);
     Expose(whole, 0, 0, 3, Noise);
-    const R2::Image all = whole.Picture();
+    const R2::Image all = whole.Image();
     for (const PixelRectangle& window :
          {PixelRectangle{0, 0, 1, 1}, PixelRectangle{7, 7, 9, 9}, PixelRectangle{16, 8, 24, 16},
           PixelRectangle{39, 32, 40, 33}, PixelRectangle{3, 0, 38, 31}}) {
       Film part(40, 33, window, kind);
       Expose(part, 0, 0, 3, Noise);
-      const R2::Image image = part.Picture();
+      const R2::Image image = part.Image();
       for (int y = window.y0; y < window.y1; ++y)
         for (int x = window.x0; x < window.x1; ++x)
           EXPECT_EQ(image.At(x - window.x0, y - window.y0), all.At(x, y)) << NameOf(kind) << ' ' << x << ' ' << y;
@@ -124,7 +124,7 @@ TEST(Film, AWindowMatchesTheWholeUnderEveryFilter) {
   }
 }
 
-TEST(Film, BothPartsTogetherAreThePicture) {
+TEST(Film, TheImageCombinesBothParts) {
   for (const FilterKind kind : kinds) {
     Film film(16, 16, {0, 0, 16, 16}, kind);
     EXPECT_FALSE(film.HasBothParts());
@@ -134,7 +134,7 @@ TEST(Film, BothPartsTogetherAreThePicture) {
     EXPECT_TRUE(film.HasBothParts());
     Film at_once(16, 16, {0, 0, 16, 16}, kind);
     Expose(at_once, 0, 0, 8, Noise);
-    const R2::Image parts = film.Picture(), whole = at_once.Picture();
+    const R2::Image parts = film.Image(), whole = at_once.Image();
     for (std::size_t i = 0; i < whole.Channels().size(); ++i)
       EXPECT_NEAR(parts.Channels()[i], whole.Channels()[i], 1e-6) << NameOf(kind);
   }
@@ -142,11 +142,11 @@ TEST(Film, BothPartsTogetherAreThePicture) {
 
 TEST(Film, EmptyPixelsAreBlackAndAllAreFinite) {
   Film film(16, 8, {0, 0, 16, 8}, FilterKind::lanczos);
-  EXPECT_EQ(film.Picture(), R2::Image(16, 8));
+  EXPECT_EQ(film.Image(), R2::Image(16, 8));
   film[0].sums[0] = film.EmptySums(0);
   film[0].sums[0].Add(2, 2, 2.5, 2.5, {HUGE_VAL, std::nan(""), 1e300}, film.filter());
   film[0].samples[0] = 1;
-  const R2::Image image = film.Picture();
+  const R2::Image image = film.Image();
   for (const float channel : image.Channels()) EXPECT_TRUE(std::isfinite(channel));
 }
 

@@ -10,8 +10,8 @@
 namespace ray {
 namespace {
 
-/// The published formulas once more, from their other side: Mitchell and Netravali's by its factored halves for
-/// B = C = 1/3, sinc as a product of cosines (Viete).
+/// The published formulas in another form: Mitchell and Netravali's by its factored halves for B = C = 1/3, sinc as a
+/// product of cosines (Viete).
 double Published(FilterKind kind, double distance) {
   const double x = std::abs(distance);
   const auto sinc = [](double t) {
@@ -59,7 +59,7 @@ TEST(Filter, IsEvenAndEndsAtItsRadius) {
 TEST(Filter, ReachesNoPixelBeyondItsApron) {
   for (const FilterKind kind : kinds) {
     const Filter filter(kind);
-    const double farthest_in_pixel = filter.Apron() + 0.5;  // from the middle of the first pixel it leaves out
+    const double farthest_in_pixel = filter.Apron() + 0.5;  // from the middle of the first pixel it does not reach
     if (!filter.IsBox()) {
       EXPECT_EQ(filter(farthest_in_pixel + 0.5), 0) << NameOf(kind);
     }
@@ -67,8 +67,8 @@ TEST(Filter, ReachesNoPixelBeyondItsApron) {
   }
 }
 
-/// How far the weights that a sample gives to all pixels, at its best and worst place, are from their mean over
-/// places; as a share.
+/// Returns the largest relative deviation of a sample's total weight over all pixels, at its best and worst place, from
+/// the mean over places.
 double Unevenness(FilterKind kind) {
   const Filter filter(kind);
   double least = HUGE_VAL, most = 0, sum = 0;
@@ -81,8 +81,8 @@ double Unevenness(FilterKind kind) {
   return (most - least) / sum;
 }
 
-// What a sample brings to a picture should not depend on where in its pixel it falls: that would be a pattern.
-TEST(Filter, EverySampleCountsNearlyAlikeWhereverItFalls) {
+// The contribution of a sample to the image should not depend on its place in the pixel: that would be a pattern.
+TEST(Filter, SamplesCountAlmostEquallyAnywhereInAPixel) {
   EXPECT_EQ(Unevenness(FilterKind::box), 0);
   EXPECT_LT(Unevenness(FilterKind::mitchell), 1e-6);  // exactly 0 by the formula, whose weights sum to 1 for any B, C
   EXPECT_LT(Unevenness(FilterKind::gaussian), 0.03);  // 4 exp(-pi^2 / 2), by Poisson's sum

@@ -7,13 +7,13 @@
 
 namespace ray {
 
-/// A sample and where it is in its pixel.
+/// A sample and its place in the pixel.
 struct FilmSample {
   R2::Color color;
   double x = 0.5, y = 0.5;
 };
 
-/// A square film whose two parts have these samples per pixel: sample(part, x, y, index), each a FilmSample.
+/// Returns a square film whose two parts have these samples per pixel: sample(part, x, y, index), each a FilmSample.
 template <typename Sample>
 Film TwoPartFilm(int side, const std::array<std::uint32_t, 2>& counts, FilterKind filter, const Sample& sample) {
   Film film(side, side, {0, 0, side, side}, filter);

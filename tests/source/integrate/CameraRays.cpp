@@ -28,7 +28,7 @@ CameraRays Make(const CameraEffects& effects, SamplerKind sampler = SamplerKind:
   return {Slanted(), effects, things_move, image_width, image_height, sampler, count};
 }
 
-/// Where a ray crosses the plane at a distance along the axis from the camera at rest.
+/// Returns the point where a ray crosses the plane at a distance along the axis from the camera at rest.
 R3::Point OnPlane(const R3::Ray& ray, double distance) {
   const Camera camera = Slanted();
   const double t = (distance - Dot(ray.origin - camera.eye, camera.towards)) / Dot(ray.direction, camera.towards);
@@ -41,7 +41,7 @@ TEST(CameraRays, PointsInFocusAreSharpFromTheWholeLens) {
     for (int pixel = 0; pixel < image_width; pixel += 13)
       for (std::uint32_t i = 0; i < samples; ++i) {
         const CameraSample sample = rays({pixel, pixel / 2, RandomKey(3), i});
-        // The pinhole's ray through the same place of the picture.
+        // The pinhole's ray through the same place of the image.
         const R3::Point sharp = OnPlane(Slanted().Through(sample.x, sample.y, image_width, image_height), focus);
         EXPECT_LT(Length(OnPlane(sample.ray, focus) - sharp), 1e-12 * (focus + 5)) << focus;
         EXPECT_LE(Length(sample.ray.origin - Slanted().eye), 0.3 * (1 + 1e-12));
@@ -50,7 +50,7 @@ TEST(CameraRays, PointsInFocusAreSharpFromTheWholeLens) {
   }
 }
 
-TEST(CameraRays, WhatLiesElsewhereIsBlurredByTheThinLensEquation) {
+TEST(CameraRays, PointsOutOfFocusBlurByTheThinLensEquation) {
   // A point at the distance d is spread over a circle of radius aperture |d - focus| / focus on the plane through it.
   const CameraRays rays = Make({.motion = {}, .aperture = 0.3, .focus = 4}, SamplerKind::sobol, 4096);
   for (const double distance : {2.0, 6.0, 12.0}) {
@@ -77,7 +77,7 @@ TEST(CameraRays, AGridSamplesTheCentersOfEqualPixelParts) {
   }
 }
 
-// A square grid still: each place is a quarter turn of another about the middle.
+// Still a square grid: each place is another one rotated by a quarter turn about the middle.
 TEST(CameraRays, ARotatedGridNeverRepeatsARowOrColumn) {
   for (const std::uint32_t side : {1u, 2u, 3u, 7u}) {
     const CameraRays rays = Make({}, SamplerKind::rotated_grid, side * side);
@@ -164,8 +164,8 @@ TEST(CameraRays, LensSamplesFillTheLensEvenly) {
   }
 }
 
-TEST(CameraRays, ManyMadeTogetherAreThoseMadeOneByOne) {
-  // A picture must not depend on which samples happen to be in a batch.
+TEST(CameraRays, BatchesEqualSingleRays) {
+  // An image must not depend on which samples happen to be in a batch.
   CameraEffects lens{.motion = {}, .aperture = 0.3, .focus = 4}, spiral = lens, moving = lens;
   spiral.lens = LensPattern::spiral, spiral.lens_samples = 4;
   moving.motion = {1, 0, 2};
@@ -192,7 +192,7 @@ TEST(CameraRays, ManyMadeTogetherAreThoseMadeOneByOne) {
       }
 }
 
-// What is stated without effect must not cost a bit of the picture.
+// Settings without an effect must not change a bit of the image.
 TEST(CameraRays, ZeroApertureAndMotionEqualThePinholeExactly) {
   const CameraRays pinhole = Make({}), none = Make({.motion = {0, 0, 0}, .aperture = 0, .focus = 7});
   EXPECT_EQ(none.Kernel(), "pinhole");
@@ -219,7 +219,7 @@ TEST(CameraRays, KernelsAreNamedAfterWhatTheyDo) {
   EXPECT_EQ(Make({}, SamplerKind::sobol, 4, true).Kernel(), "moving pinhole");
 }
 
-/// The cameras that are no pinholes, seeing what the other sees.
+/// The cameras other than pinholes, in the view of the pinhole.
 std::vector<Camera> Projections() {
   std::vector<Camera> cameras;
   for (const CameraKind* kind : CameraKinds()) {
@@ -268,7 +268,7 @@ TEST(CameraRays, EveryProjectionMovesAndKeepsItsView) {
   }
 }
 
-TEST(CameraRays, WhereAProjectionSeesNothingThereIsNoRay) {
+TEST(CameraRays, OutsideOfAProjectionsViewThereIsNoRay) {
   for (Camera camera : Projections()) {
     camera.shift = {0.3, 0.3};
     for (const CameraEffects& effects :
@@ -293,13 +293,13 @@ TEST(CameraRays, TheEyeMovesEvenlyWhileTheShutterIsOpen) {
     EXPECT_GE(sample.ray.time, 0);
     EXPECT_LT(sample.ray.time, 1);
     EXPECT_LT(Length(sample.ray.origin - (Slanted().eye + sample.ray.time * motion)), 1e-14);
-    // The view does not turn: the direction is that of the camera at rest, in the same moment.
+    // The view does not turn: the direction is that of the camera at rest at the same time.
     const CameraSample rest = at_rest({5, 6, RandomKey(1), i});
     EXPECT_EQ(sample.ray.direction, rest.ray.direction);
     EXPECT_EQ(sample.ray.time, rest.ray.time);
     EXPECT_EQ(rest.ray.origin, Slanted().eye);
   }
-  // 64 points of Sobol's: one in each 64th of the time.
+  // 64 points of a Sobol' sequence: one in each 64th of the time.
   std::sort(times.begin(), times.end());
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(static_cast<std::size_t>(times[i] * samples), i);
 }

@@ -14,7 +14,7 @@ RenderSettings Small(RenderMode mode) {
   return settings;
 }
 
-/// The guides of rays through the middles of a small image's pixels, in rows.
+/// Returns the guides of rays through the middles of a small image's pixels, in rows.
 std::vector<Guide> GuidesOf(const project::Stage& stage) {
   const RenderSettings settings = Small(RenderMode::whitted);
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
@@ -61,7 +61,7 @@ TEST(Guide, TheRestAreTheLayersOfTheFirstHit) {
   }
 }
 
-TEST(Guide, OfManyLightsItShowsWhatTheyLight) {
+TEST(Guide, WithManyLightsItShowsKd) {
   const project::Stage stage(
       project::FromText("camera 0 0 5  0 0 -1  0 1 0  0.5  0.01 100 "
                         "material 0 0 0  0.3 0.4 0.5  0 0 0  0 0 0  0 0 0  10 1 0 sphere 0  0 0 0  1 " +

@@ -24,7 +24,7 @@ R2::Color Shown(const std::string& scene, const RenderSettings& settings) {
   return project::Render(project::Stage(project::FromText(scene)), settings).image.At(0, 0);
 }
 
-TEST(Path, EqualsTheCoursesModeWhereNothingIsLeftToChance) {
+TEST(Path, EqualsModeWhittedWithoutRandomChoices) {
   // Lights of the language without size, one of them, seen directly or along mirrors: the same formula, the same ray.
   const std::string floor = "camera 3 4 0  -3 -4 0  0 0 -1  0.1  0.01 100 ";
   for (const std::string light : {"point_light 12 6 3  3 4 1  1 0.5 0.1 ", "dir_light 1 0.5 0.25  3 -4 0 ",
@@ -34,13 +34,13 @@ TEST(Path, EqualsTheCoursesModeWhereNothingIsLeftToChance) {
       const std::string scene = floor + "ambient 0.3 0.2 0.1 " + light + material + "box 0  -4 -1 -4  4 0 4";
       RenderSettings path = Settings(), whitted = Settings("whitted");
       path.trace.max_depth = whitted.trace.max_depth = 0;
-      path.trace.lights = 0;  // no choice: the box, which emits, is a light as well
+      path.trace.lights = 0;  // without a choice: the emissive box is a light as well
       EXPECT_EQ(Shown(scene, path), Shown(scene, whitted)) << scene;
     }
 }
 
-/// Lights of every kind, with and without fall-off, over a floor with a ball, where lengths are given in a unit `scale`
-/// times smaller.
+/// Lights of every kind, with and without attenuation, over a floor with a ball, where lengths are given in a unit
+/// `scale` times smaller.
 std::string InUnit(double scale) {
   std::ostringstream text;
   const auto lengths = [&](std::initializer_list<double> numbers) {
@@ -64,8 +64,8 @@ std::string InUnit(double scale) {
 }
 
 TEST(Path, ScalingLengthsByPowersOfTwoChangesNoByte) {
-  // The choice of lights once weighed lights without fall-off against areas, so that a scene in other units had
-  // more noise.
+  // The choice of lights once compared lights without attenuation with areas, so that a scene in other units had more
+  // noise.
   RenderSettings settings = Settings();
   settings.width = settings.height = 16;
   settings.samples = 4;
@@ -94,7 +94,7 @@ TEST(Path, MirrorsBeyondMaxDepthAreNotFollowed) {
   }
 }
 
-TEST(Path, ShapesThatEmitAreLightsAsTrianglesAre) {
+TEST(Path, EmissiveShapesAreLightsLikeTriangles) {
   const std::string scene =
       "camera 3 1 0  -3 -1 0  0 1 0  1e-7  0.01 100 point_light 0 0 0  0 9 0  1 0 0 "
       "material 0 0 0  0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  10 1 0 material 0 0 0  0 0 0  0 0 0  0 0 0  5 5 5  10 1 0 "
@@ -107,7 +107,7 @@ TEST(Path, ShapesThatEmitAreLightsAsTrianglesAre) {
 }
 
 TEST(Path, ALightCostsNoRayWhereItCannotShine) {
-  // The floor faces away from the light, and black materials ask for none.
+  // The floor faces away from the light, and black materials need no light.
   for (const std::string material : {"material 0 0 0  0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  10 1 0 ",
                                      "material 0 0 0  0 0 0  0 0 0  0 0 0  1 1 1  10 1 0 "}) {
     const std::string below = material.find("1 1 1") == std::string::npos ? "-5" : "5";
@@ -133,8 +133,8 @@ TEST(Path, WithShadowsOffNothingBlocksALight) {
 }
 
 TEST(Path, TotalReflectionIsCompleteWithFresnelAndLostWithout) {
-  // From inside a block of glass, 60 degrees off the normal of its face, beyond the critical angle of 41.8. What is
-  // reflected meets a face at the right, 30 degrees off, where most gets out.
+  // From inside a block of glass, 60 degrees off the normal of its face, beyond the critical angle of 41.8. The
+  // reflected light hits a face at the right, 30 degrees off, where most of it leaves.
   const std::string scene = "camera 0 0 0  " + std::to_string(std::sin(1.0471975512)) + " " +
                             std::to_string(std::cos(1.0471975512)) +
                             " 0  0 0 1  1e-7  0.01 100 background 1 1 1 point_light 0 0 0  0 0 0  1 0 0 "

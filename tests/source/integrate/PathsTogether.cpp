@@ -1,4 +1,4 @@
-// A path does not depend on which others are traced with it.
+// A path does not depend on the others traced with it.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ constexpr const char* surfaces_of_every_lobe =
     "material 0 0 0  0.1 0.1 0.1  0.6 0.5 0.4  0 0 0  0 0 0  40 1 0 gloss 1  50 4 "
     "material 0 0 0  0 0 0  0.1 0.1 0.1  0.8 0.8 0.9  0 0 0  80 1.5 0 "       // glass
     "material 0 0 0  0.6 0.2 0.1  0 0 0  0 0 0  0 0 0  7.5 1 0 coat 3  1.5 "  // under a coat
-    "material 0 0 0  0.3 0.5 0.3  0.2 0.2 0.2  0 0 0  0 0 0  7.5 1 0 "        // no whole exponent
+    "material 0 0 0  0.3 0.5 0.3  0.2 0.2 0.2  0 0 0  0 0 0  7.5 1 0 "        // exponent that is not whole
     "material 0 0 0  0 0 0  0 0 0  0 0 0  2 2 1  1 1 0 "
     "box 0  -5 -1 -5  5 0 5  sphere 1  -2 1 0  1  sphere 2  0.3 1 1  1  sphere 3  2.4 1 0  1  sphere 4  0 0.5 3  0.5 "
     "sphere 5  0 4 -1  0.4 ";
@@ -40,8 +40,8 @@ std::vector<CameraSample> CameraSamples(const Scene& scene) {
   return seen;
 }
 
-/// Paths traced together, and one by one with a recorder listening, which is told of surfaces as they are: none of what
-/// is known of them comes from loops over many.
+/// Returns paths traced together, and one by one with a recorder, which receives complete surfaces: none of their data
+/// comes from loops over many.
 struct BothWays {
   BothWays(const project::Stage& stage, const TraceSettings& settings)
       : together(SamplesOf(stage).size()), alone(together.size()) {
@@ -78,7 +78,7 @@ TEST(Path, EveryLobeGivesTheSamePathsTogetherAndAlone) {
       }
 }
 
-// Nothing times infinity would be no number.
+// Zero times infinity would be NaN.
 TEST(Path, APureMirrorStaysFiniteUnderInfiniteLight) {
   const project::Stage stage(project::FromText(
       "camera 0 0 5  0 0 -1  0 1 0  0.4  0.01 100  background 0.2 0.3 0.4  point_light 1 1 1  3 4 5  1e-320 0 0 "

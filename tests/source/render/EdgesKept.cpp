@@ -1,5 +1,5 @@
-// Where a picture has edges, how far -samples 1/4 and 1/16 are from the full picture: pixel by pixel, in scenes with
-// silhouettes, shadows, textures, mirrors and glass, against linear interpolation, which knows no edges.
+// The difference of -samples 1/4 and 1/16 from the full image at edges: pixel by pixel, in scenes with silhouettes,
+// shadows, textures, mirrors and glass, compared with linear interpolation, which ignores edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace ray {
 namespace {
 
 constexpr int edge_width = 320, edge_height = 240, edge_rim = 8;
-// Squared differences of colors from which one sees them.
+// The squared difference of colors from which it is visible.
 constexpr double visible = 0.03;
 
 R2::Color Shown(const R2::Color& c) {
@@ -25,14 +25,14 @@ double SquaredDistance(const R2::Color& a, const R2::Color& b) {
   return d.r * d.r + d.g * d.g + d.b * d.b;
 }
 
-R2::Image PictureOf(const project::Stage& stage, int apart) {
+R2::Image RenderedOf(const project::Stage& stage, int apart) {
   RenderSettings settings;
   settings.width = edge_width, settings.height = edge_height;
   settings.places = BlockOrder::places / apart;
   return project::Render(stage, settings).image;
 }
 
-/// Whether a pixel differs from one beside it.
+/// Returns true if a pixel differs from an adjacent one.
 bool IsAtEdge(const R2::Image& image, int x, int y) {
   constexpr std::array<std::array<int, 2>, 4> around{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   return std::ranges::any_of(around, [&](const auto& o) {
@@ -40,7 +40,7 @@ bool IsAtEdge(const R2::Image& image, int x, int y) {
   });
 }
 
-/// From the four pixels around whose columns and rows are multiples of `step`.
+/// Interpolates the four surrounding pixels whose columns and rows are multiples of `step`.
 R2::Color Bilinear(const R2::Image& image, int x, int y, int step) {
   const int x0 = x / step * step, y0 = y / step * step;
   const double u = static_cast<double>(x - x0) / step, v = static_cast<double>(y - y0) / step;
@@ -48,12 +48,12 @@ R2::Color Bilinear(const R2::Image& image, int x, int y, int step) {
   return (1 - v) * row(y0) + v * row(y0 + step);
 }
 
-/// What edges have become.
+/// Statistics of pixels at edges.
 struct Edges {
-  int pixels = 0;         // left out, at edges
-  int misses = 0;         // of them, those that are seen to differ
-  double squares = 0;     // of all differences
-  int misses_linear = 0;  // the same of linear interpolation
+  int pixels = 0;         // not traced, at edges
+  int misses = 0;         // of these, visibly different ones
+  double squares = 0;     // over all differences
+  int misses_linear = 0;  // misses of linear interpolation
   double squares_linear = 0;
 };
 
@@ -73,10 +73,10 @@ Edges EdgesOf(const R2::Image& full, const R2::Image& part, int apart) {
 }
 
 TEST(EdgesKept, EdgePixelsAreCloserThanByLinearInterpolation) {
-  // Measured of linear interpolation's root of the mean square, with a quarter: 0.845 to 0.985, 0.920 on average; with
-  // a sixteenth 0.938 to 1.061, 0.986 on average. Of its number of pixels that are seen to differ: 0.670 to 0.933,
-  // 0.841 on average; and 0.898 to 1.025, 0.957. Worst with a sixteenth are small balls and bumps, which turn within
-  // the four pixels from one that is traced to the next.
+  // Measured ratios to the root mean square of linear interpolation: with a quarter 0.845 to 0.985, 0.920 on average;
+  // with a sixteenth 0.938 to 1.061, 0.986 on average. Ratios of the number of visibly different pixels: 0.670 to
+  // 0.933, 0.841 on average; and 0.898 to 1.025, 0.957 on average. Worst with a sixteenth are small balls and bumps,
+  // which turn within the four pixels between traced ones.
   const std::array scenes{"hello", "room",   "materials", "glass", "texture",    "mesh_formats",
                           "torus", "csg",    "smooth",    "toon",  "blob",       "spot_light",
                           "bump",  "tri",    "transform", "drink", "first",      "cone"};
@@ -84,7 +84,7 @@ TEST(EdgesKept, EdgePixelsAreCloserThanByLinearInterpolation) {
     double sum = 0, sum_of_misses = 0;
     for (const char* name : scenes) {
       const project::Stage stage(project::Root() / "scenes" / (std::string(name) + ".scn"));
-      const Edges e = EdgesOf(PictureOf(stage, 1), PictureOf(stage, apart), apart);
+      const Edges e = EdgesOf(RenderedOf(stage, 1), RenderedOf(stage, apart), apart);
       ASSERT_GT(e.pixels, 400) << name;
       const double share = std::sqrt(e.squares / e.squares_linear),
                    of_misses = static_cast<double>(e.misses) / e.misses_linear;

@@ -1,4 +1,4 @@
-// Lens flares: of lamps that are seen, where they are seen.
+// Lens flares: of visible lights, at their place.
 #include "source/render/Flare.h"
 
 #include <gtest/gtest.h>
@@ -14,12 +14,12 @@ namespace {
 
 constexpr int flare_width = 80, flare_height = 60;
 
-/// Looking down -z; tan(0.4) = 0.4228 to the sides.
+/// A view along -z; tan(0.4) = 0.4228 to the sides.
 std::string TextOf(const std::string& more) {
   return "camera 0 0 0  0 0 -1  0 1 0  .4  1 100 background 0 0 0 " + more + "\n";
 }
 
-R2::Image Picture(const std::string& more, double flare = 1, const char* accelerator = "auto",
+R2::Image Rendered(const std::string& more, double flare = 1, const char* accelerator = "auto",
                   std::optional<PixelRectangle> crop = {}) {
   RenderSettings settings;
   settings.width = flare_width, settings.height = flare_height;
@@ -46,29 +46,29 @@ double Sum(const R2::Image& image) {
 
 TEST(Flare, IsBrightestWhereItsLampIsSeen) {
   // 2 to the right and 1 up of 10 ahead: 40 + 40 0.2 / 0.4228, 30 + 40 0.1 / 0.4228.
-  const R2::Point at = Brightest(Picture("point_light 1 1 1  2 1 -10  1 0 0"));
+  const R2::Point at = Brightest(Rendered("point_light 1 1 1  2 1 -10  1 0 0"));
   EXPECT_NEAR(at.x, 58.9, 0.7);
   EXPECT_NEAR(at.y, 39.5, 0.7);
-  const R2::Point of_sun = Brightest(Picture("dir_light 1 1 1  -2 -1 10"));
+  const R2::Point of_sun = Brightest(Rendered("dir_light 1 1 1  -2 -1 10"));
   EXPECT_NEAR(of_sun.x, 58.9, 0.7);
   EXPECT_NEAR(of_sun.y, 39.5, 0.7);
 }
 
 TEST(Flare, HasGhostsOppositeTheLampThroughTheMiddle) {
-  const R2::Image image = Picture("point_light 1 1 1  2 1 -10  1 0 0");
+  const R2::Image image = Rendered("point_light 1 1 1  2 1 -10  1 0 0");
   EXPECT_GT(Luminance(image.At(40 - 19 + 4, 30 - 9 + 2)), 0.01);
   EXPECT_EQ(Luminance(image.At(40 - 19, 30 + 19)), 0);
 }
 
 TEST(Flare, IsAbsentForLampsOutOfSight) {
-  EXPECT_GT(Sum(Picture("point_light 1 1 1  2 1 -10  1 0 0 material 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 "
+  EXPECT_GT(Sum(Rendered("point_light 1 1 1  2 1 -10  1 0 0 material 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 "
                         "sphere 0 -2 1 -5 .5")),
             1);
   for (const char* none : {"point_light 1 1 1  2 1 -10  1 0 0 material 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 "
                            "sphere 0 1 .5 -5 .5",
                            "point_light 1 1 1  2 1 10  1 0 0", "point_light 1 1 1  9 1 -10  1 0 0",
                            "point_light 0 0 0  2 1 -10  1 0 0", "spot_light 1 1 1  2 1 -10  0 0 -1  1 0 0  .5 0"})
-    EXPECT_EQ(Sum(Picture(none)), 0) << none;
+    EXPECT_EQ(Sum(Rendered(none)), 0) << none;
 }
 
 TEST(Flare, FadesAsItsLampGoesBehindAnEdge) {
@@ -76,7 +76,7 @@ TEST(Flare, FadesAsItsLampGoesBehindAnEdge) {
   int between = 0;
   for (int i = 0; i < 20; ++i) {
     const std::string edge = std::to_string(0.95 + 0.005 * i);
-    const double sum = Sum(Picture("point_light 1 1 1  2 0 -10  1 0 0 material 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 "
+    const double sum = Sum(Rendered("point_light 1 1 1  2 0 -10  1 0 0 material 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 "
                                    "box 0 " + edge + " -9 -5.01 9 9 -5"));
     EXPECT_GE(sum, last);
     between += sum > last;
@@ -88,9 +88,9 @@ TEST(Flare, FadesAsItsLampGoesBehindAnEdge) {
 TEST(Flare, IsTheSameInCropsWithEveryAccelerator) {
   const std::string more =
       "point_light 1 .8 .5  2 1 -10  1 0 0 sphere_light .5 .5 1  -1 -1 -10  .3  1 0 0 sphere -1  0 0 -20 3";
-  const R2::Image whole = Picture(more);
+  const R2::Image whole = Rendered(more);
   for (const AcceleratorKind* kind : AcceleratorKinds()) {
-    const R2::Image part = Picture(more, 1, kind->name, PixelRectangle{20, 10, 70, 50});
+    const R2::Image part = Rendered(more, 1, kind->name, PixelRectangle{20, 10, 70, 50});
     for (int y = 0; y < 40; ++y)
       for (int x = 0; x < 50; ++x) ASSERT_EQ(part.At(x, y), whole.At(x + 20, y + 10)) << kind->name;
   }
@@ -139,7 +139,7 @@ TEST(Flare, IsOnlyInModesThatShowLight) {
 }
 
 TEST(Flare, IgnoresDefaultLightsWhereSurfacesShineInstead) {
-  // The default lights are directional; the first comes from behind the camera's back, seen when it is turned around.
+  // The default lights are directional; the first comes from behind the camera and is visible when it is turned around.
   Scene scene = project::FromText("camera 0 0 0  1 1 1  0 1 0  1.2  1 100\n"
                                   "material 0 0 0 0 0 0 0 0 0 0 0 0 1 1 1 1 1 0 sphere 0  -9 -9 -9 1\n");
   ASSERT_TRUE(scene.has_default_lights);

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "source/film/denoise/OpenImageDenoise.h"
-#include "source/film/error/PictureError.h"
+#include "source/film/error/ImageError.h"
 #include "source/render/GatherGuides.h"
 #include "source/render/Schedule.h"
 #include "tests/Project.h"
@@ -36,7 +36,8 @@ TEST(ImageDenoiser, MoreThanHalvesTheErrorOfIndirectLightAsClaimed) {
     many.seed = seed;
     references.push_back(project::Render(stage, many).image);
   }
-  double before = 0, claimed = 0, truth = 0;  // sums of squares; in a picture as small as this one claim is chance
+  // sums of squares; a single estimate of so small an image is left to chance
+  double before = 0, claimed = 0, truth = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     RenderSettings settings = Indirect(16);
     settings.seed = seed;
@@ -78,7 +79,7 @@ TEST(ImageDenoiser, WithoutDenoisingThereIsOneStreamAndNoFilter) {
   EXPECT_GT(project::Render(stage, settings).rays[RayKind::camera].rays, plain.rays[RayKind::camera].rays);
 }
 
-TEST(ImageDenoiser, AFailingLibraryLeavesTheImageAndSaysWhy) {
+TEST(ImageDenoiser, AFailingLibraryLeavesTheImageAndIsReported) {
   if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(4);
@@ -107,7 +108,7 @@ TEST(ImageDenoiser, WorksWithCropsFiltersAndUnevenSampleCounts) {
   EXPECT_LT(result.error->estimate, result.error_before_denoising->estimate);
 }
 
-/// Whether a crop has the pixels of the whole.
+/// Returns true if a crop has the pixels of the whole.
 ::testing::AssertionResult IsPart(const R2::Image& part, const PixelRectangle& crop, const R2::Image& whole) {
   if (part.Width() != crop.Width() || part.Height() != crop.Height()) return ::testing::AssertionFailure() << "size";
   for (int y = 0; y < part.Height(); ++y)
@@ -117,7 +118,8 @@ TEST(ImageDenoiser, WorksWithCropsFiltersAndUnevenSampleCounts) {
   return ::testing::AssertionSuccess();
 }
 
-// Around it as much is rendered as its pixels depend on, edges and textures, mirrors and wide filters among it.
+// The surroundings on which its pixels depend are rendered as well, including edges and textures, mirrors and wide
+// filters.
 TEST(ImageDenoiser, ACropHasThePixelsOfTheWhole) {
   for (const char* scene : {"hello", "indirect", "glossy"})
     for (const FilterKind filter : {FilterKind::box, FilterKind::mitchell}) {
@@ -144,8 +146,8 @@ TEST(ImageDenoiser, ACropHasThePixelsOfTheWhole) {
     }
 }
 
-// Squared errors are means over pixels, so those of parts have that of the whole as their mean. How much of a denoised
-// one is bias is guessed for all pixels together, which here changes half a percent.
+// Squared errors are means over pixels, so those of parts have the whole image's as their mean. The bias of a denoised
+// image is estimated for all pixels together, which changes half a percent here.
 TEST(ImageDenoiser, ErrorsOfPartsAddUpToTheWhole) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(2);
@@ -162,7 +164,7 @@ TEST(ImageDenoiser, ErrorsOfPartsAddUpToTheWhole) {
   EXPECT_NEAR(std::sqrt(left / (64 * 64)) / whole.error->estimate, 1, 0.02);
 }
 
-// Around it there is noise, in what is rendered for its sake.
+// There is noise around the crop, in the pixels that are rendered for its sake.
 TEST(ImageDenoiser, ACropsErrorCountsItsOwnPixelsAlone) {
   const project::Stage stage(project::FromText(
       "camera 0 2 6  0 -.3 -1  0 1 0  .5  .1 100 background .2 .3 .4 area_light 1 1 1  0 4 1  0 -1 0  1  1 0 0 "
@@ -173,7 +175,7 @@ TEST(ImageDenoiser, ACropsErrorCountsItsOwnPixelsAlone) {
   settings.trace.shadow_samples = 1;
   settings.denoise = true;
   EXPECT_GT(project::Render(stage, settings).error->estimate, 0);
-  settings.crop = PixelRectangle{0, 44, 48, 48};  // of the background alone
+  settings.crop = PixelRectangle{0, 44, 48, 48};  // only background
   const RenderResult part = project::Render(stage, settings);
   EXPECT_EQ(part.error->estimate, 0);
   EXPECT_EQ(part.error_before_denoising->estimate, 0);
@@ -190,7 +192,7 @@ TEST(ImageDenoiser, OnlyDenoisedCropsHaveSurroundings) {
   EXPECT_EQ(EmptyFilmOf(settings).Sampled(), *settings.crop);
 }
 
-// Glass beside glass: 128 rays of each pixel, each a tree of reflections, took twenty times as long as the picture.
+// Glass next to glass: 128 rays of each pixel, each a tree of reflections, took twenty times as long as the image.
 TEST(ImageDenoiser, RefiningGuidesTakesAtMostSixRaysPerCameraRay) {
   for (const char* scene : {"glass", "hello", "glossy", "indirect", "refraction", "lens"})
     for (const RenderMode mode : {RenderMode::whitted, RenderMode::path})
@@ -205,7 +207,7 @@ TEST(ImageDenoiser, RefiningGuidesTakesAtMostSixRaysPerCameraRay) {
         settings.trace.max_depth = 12;
         settings.trace.shadow_samples = 1;
         const RenderResult result = project::Render(stage, settings);
-        // Without refinement a replay's guide rays are those that take no samples of edges again.
+        // Without refinement, a replay's guide rays are only those over camera rays.
         settings.replay = Replay{true, result.planned_samples, {result.passes.back().end}, result.block_samples, {}};
         settings.replay->refinement = Refinement{0};
         const std::uint64_t following = project::Render(stage, settings).guide_rays;
@@ -217,7 +219,7 @@ TEST(ImageDenoiser, RefiningGuidesTakesAtMostSixRaysPerCameraRay) {
       }
 }
 
-TEST(ImageDenoiser, ItsPhasesAreToldEachUpToItsEnd) {
+TEST(ImageDenoiser, ReportsEachPhaseToItsEnd) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(4);
   settings.denoise = true;
@@ -270,7 +272,7 @@ TEST(ImageDenoiser, KeepsTheRenderedImageWhenStoppedAndResumesExactly) {
   }
 }
 
-// The more rays the render took, the more the guides may take: those of work that was thrown away must not count.
+// The more rays the render took, the more the guides may take: rays of discarded work must not count.
 TEST(ImageDenoiser, ResumedFromAnywhereIsTheSameBitForBit) {
   const project::Stage stage(project::Root() / "scenes" / "glass.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
@@ -298,7 +300,7 @@ TEST(ImageDenoiser, ResumedFromAnywhereIsTheSameBitForBit) {
   }
 }
 
-TEST(ImageDenoiser, APictureThatWasStoppedIsNotFiltered) {
+TEST(ImageDenoiser, AStoppedImageIsNotFiltered) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(16);
   settings.denoise = true;
@@ -311,7 +313,7 @@ TEST(ImageDenoiser, APictureThatWasStoppedIsNotFiltered) {
   EXPECT_FALSE(result.error_before_denoising);
 }
 
-TEST(ImageDenoiser, AReplayOfItsSampleAllocationIsTheSamePicture) {
+TEST(ImageDenoiser, AReplayOfItsSampleAllocationIsTheSameImage) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(16);
   settings.denoise = true;
@@ -321,7 +323,7 @@ TEST(ImageDenoiser, AReplayOfItsSampleAllocationIsTheSamePicture) {
   EXPECT_TRUE(project::Render(stage, settings).image == first.image);
 }
 
-TEST(ImageDenoiser, AReplayRefinesGuidesAsToldOrIsNotDenoised) {
+TEST(ImageDenoiser, AReplayRefinesGuidesAsRecordedOrIsNotDenoised) {
   const project::Stage stage = Room();
   RenderSettings settings = Indirect(8);
   settings.denoise = true;
@@ -343,7 +345,7 @@ TEST(ImageDenoiser, AReplayRefinesGuidesAsToldOrIsNotDenoised) {
   EXPECT_FALSE(plain.error_before_denoising || plain.had_no_time_to_denoise);
 }
 
-/// The room to a displayed error, denoised.
+/// Renders the room to a displayed error, denoised.
 RenderSettings IndirectToError(double error) {
   RenderSettings settings = Indirect(1);
   settings.denoise = true;
@@ -364,8 +366,8 @@ TEST(ImageDenoiser, AnErrorTargetIsReachedByTheDenoisedImage) {
   EXPECT_GT(noisy.samples.mean, 2 * denoised.samples.mean);
 }
 
-// Looks between passes change nothing of the last.
-TEST(ImageDenoiser, WhatAnErrorTargetLedToIsWhatAReplayMakes) {
+// Looks between passes must not change the final image.
+TEST(ImageDenoiser, AReplayRepeatsAnErrorTargetedImage) {
   const project::Stage stage = Room();
   for (const double target : {8.0, 3.0, 1.5}) {
     RenderSettings settings = IndirectToError(target);
@@ -381,7 +383,7 @@ TEST(ImageDenoiser, WhatAnErrorTargetLedToIsWhatAReplayMakes) {
   }
 }
 
-// Wherever it is stopped, in samples or in a look that the filters take.
+// For any time of the stop, in samples or in a look with its filters.
 TEST(ImageDenoiser, AnErrorTargetIsResumedFromAnywhereBitForBit) {
   const project::Stage stage = Room();
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});

@@ -1,4 +1,4 @@
-// An image rendered in parts is the image rendered whole, to the last bit.
+// An image rendered in parts is the image rendered at once, to the last bit.
 #include "source/render/Parts.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ class Machines {
     }
   }
 
-  /// All rounds, and what assembling gives.
+  /// Renders all rounds, and returns the assembled image.
   RenderResult Render() {
     RenderState plan = FirstRound(settings_, film_);
     while (true) {
@@ -186,7 +186,7 @@ TEST(Parts, HaveEveryBlockOnceAndAsManyEach) {
   }
 }
 
-// What is costly to render lies together: a part that had many neighbors would take far longer than others.
+// Expensive blocks are close together: a part with many neighbors would take far longer than others.
 TEST(Parts, OfASquareAnywhereEachHasAboutItsShare) {
   const Film film = FilmOf(640, 480);
   for (const int of : {2, 4, 8, 16}) {

@@ -44,7 +44,7 @@ bool AreClose(const R2::Color& a, const R2::Color& b) {
 const char* const scenes[] = {"hello.scn", "glass.scn",    "area_light.scn",  "emissive.scn", "environment.scn",
                               "lens.scn",  "indirect.scn", "many_lights.scn", "texture.scn",  "total_reflection.scn"};
 
-TEST(PixelTrace, EverySampleIsTheSumOfWhatItsRaysBring) {
+TEST(PixelTrace, EverySampleIsTheSumOfItsRaysContributions) {
   for (const char* scene : scenes)
     for (const char* mode : {"whitted", "path"}) {
       const Traced traced(scene, Settings(mode, 100, 2));
@@ -66,7 +66,7 @@ TEST(PixelTrace, EverySampleIsTheSumOfWhatItsRaysBring) {
     }
 }
 
-TEST(PixelTrace, SamplesAreThoseOfThePicture) {
+TEST(PixelTrace, SamplesAreThoseOfTheImage) {
   for (const char* scene : scenes) {
     const Traced traced(scene, Settings("whitted", 40, 3));
     const R2::Image image = Render(traced.stage.world, *traced.accelerator, traced.settings).image;
@@ -79,7 +79,8 @@ TEST(PixelTrace, SamplesAreThoseOfThePicture) {
   }
 }
 
-// A picture whose error is measured is two pictures of half the samples. The pixel's rays were once all of the first.
+// An image whose error is measured consists of two images of half the samples. The pixel's rays were once all of the
+// first.
 TEST(PixelTrace, SamplesAreHalfFromEachOfTwoStreams) {
   RenderSettings settings = Settings("whitted", 40, 8);
   settings.trace.shadow_samples = 1;
@@ -94,7 +95,7 @@ TEST(PixelTrace, SamplesAreHalfFromEachOfTwoStreams) {
   }
 }
 
-TEST(PixelTrace, SamplesThatAreClampedCountAsThePictureCountsThem) {
+TEST(PixelTrace, ClampedSamplesCountAsInTheImage) {
   RenderSettings settings = Settings("whitted", 1, 4);
   settings.trace.sampler = SamplerKind::grid;
   settings.clamp = Clamp::samples;
@@ -108,14 +109,14 @@ TEST(PixelTrace, SamplesThatAreClampedCountAsThePictureCountsThem) {
   EXPECT_NE(tree.find(": 0 0 0\n"), std::string::npos) << tree;
 }
 
-// Camera rays are traced together, and then points of triangles have no texture coordinates unless they need them.
-// CS 315's assignment lists directions with eight digits.
-TEST(DebugPixel, WritesAllDigitsWhereAsked) {
+// Camera rays are traced together, and then points of triangles have no texture coordinates unless the material needs
+// them.
+TEST(DebugPixel, WritesAllDigitsOnRequest) {
   const project::Stage stage(project::FromText("camera 0 0 0  0 0 -1  0 1 0  .39269908169872414 .01 100\n"));
   const auto accelerator = FindAcceleratorKind("none")->Make(stage.world, {});
   RenderSettings settings;
   settings.width = settings.height = 512;
-  const double x = std::tan(std::numbers::pi / 8) / 512;  // of the pixel right of the middle
+  const double x = std::tan(std::numbers::pi / 8) / 512;  // of the pixel to the right of the middle
   EXPECT_NE(DebugPixel(stage.world, *accelerator, settings, 256, 256, Digits::all).find("along " + ToText(x) + " "),
             std::string::npos);
   EXPECT_EQ(DebugPixel(stage.world, *accelerator, settings, 256, 256).find(ToText(x)), std::string::npos);
@@ -153,7 +154,7 @@ TEST(PixelTrace, BlackSamplesOnOutlinesAreReportedAsSuch) {
   EXPECT_LT(outlined, 60);
 }
 
-TEST(PixelTrace, ACostIsSaidToBeOne) {
+TEST(PixelTrace, CostsAreLabeledAsSuch) {
   for (const char* mode : {"heat", "rays"}) {
     const Traced traced("hello.scn", Settings(mode, 20));
     const std::string tree = DebugPixel(traced.stage.world, *traced.accelerator, traced.settings, 10, 10);
@@ -170,7 +171,7 @@ TEST(PixelTrace, RaysStartWhereTheirParentsEnd) {
       const RecordedRay& parent = trace.rays[static_cast<std::size_t>(ray.parent)];
       ASSERT_LT(ray.parent, &ray - trace.rays.data());
       ASSERT_TRUE(parent.at);
-      // Rays that go straight through keep their parent's origin and start at its hit.
+      // Rays that pass straight through keep their parent's origin and start at its hit.
       const R3::Point start = ray.ray.At(ray.ray.t_min);
       EXPECT_LT(Length(start - parent.at->position), 1e-9 * (1 + Length(ray.ray.origin - R3::Point{})));
       ++children;
@@ -195,7 +196,7 @@ TEST(PixelTrace, HitsAreThoseOfTheAccelerator) {
   EXPECT_GT(stopped, 0u);
 }
 
-TEST(PixelTrace, TheTreeTellsEveryRayAndWhereItEnds) {
+TEST(PixelTrace, TheTreeShowsEveryRayAndItsEnd) {
   project::Stage stage(
       project::FromText("background 0.5 0.25 0.125\nambient 0 0 0\n"
                         "camera 0 0 5  0 0 -1  0 1 0  0.3  0.01 100\n"
@@ -215,7 +216,7 @@ TEST(PixelTrace, TheTreeTellsEveryRayAndWhereItEnds) {
   EXPECT_NE(corner.find("hits nothing, contributes 0.5 0.25 0.125\n"), std::string::npos) << corner;
 }
 
-TEST(PixelTrace, ALongTreeIsCutAndSaysSo) {
+TEST(PixelTrace, ALongTreeIsTruncatedWithANote) {
   const Traced traced("area_light.scn", Settings("whitted", 20, 4));
   const PixelTrace trace = traced.Pixel(10, 5);
   ASSERT_GT(trace.rays.size(), 12u);

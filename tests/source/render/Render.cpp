@@ -24,8 +24,8 @@ RenderSettings Small() {
   return settings;
 }
 
-// A viewer renders a picture row by row with one integrator; it must not show another picture than raypro's.
-TEST(Render, PartsWithOneIntegratorMadeBeforeEqualTheWhole) {
+// A viewer renders an image row by row with one integrator; it must equal raypro's.
+TEST(Render, PartsWithASharedIntegratorEqualTheWhole) {
   const project::Stage stage(project::Root() / "scenes" / "many_lights.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   RenderSettings settings = Small();
@@ -42,7 +42,7 @@ TEST(Render, PartsWithOneIntegratorMadeBeforeEqualTheWhole) {
   EXPECT_EQ(wrong, 0);
 }
 
-// A thread that waited for such work once began another tile, and then waited for itself.
+// A thread that waited for such work once started another tile, and then waited for itself.
 TEST(Render, ACallbackMayWorkOnManyThreads) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
@@ -62,14 +62,14 @@ TEST(Render, ACallbackMayWorkOnManyThreads) {
 
 const std::string from_the_middle = "camera 0 0 0 1 2 3 0 1 0 .5 1 10\n", box_around = "box 0 -9 -9 -9 9 9 9";
 
-/// Between mirrors all around that reflect a half, cut off as the settings say.
+/// Renders between mirrors all around that reflect a half, with the limits of the settings.
 double ShareCutBetweenMirrors(const RenderSettings& settings) {
   const project::Stage stage(
       project::FromText(from_the_middle + "material 0 0 0 0 0 0 .5 .5 .5 0 0 0 0 0 0 1 1 0\n" + box_around));
   return project::Render(stage, settings).share_cut;
 }
 
-TEST(Render, TheCutShareIsWhatLongerPathsWouldCarry) {
+TEST(Render, TheCutShareIsTheLightOfLongerPaths) {
   constexpr double rounding = 1 / RayCounts::throughput_unit;
   RenderSettings settings = Small();
   settings.trace.min_luminance = 0;
@@ -90,13 +90,13 @@ TEST(Render, TheCutShareIsWhatLongerPathsWouldCarry) {
   EXPECT_NEAR(ShareCutBetweenMirrors(settings), 0.0625, rounding) << "the first below 0.1";
 }
 
-TEST(Render, WhereEveryPathEndsByItselfNothingIsCut) {
+TEST(Render, NothingIsCutIfEveryPathEndsByItself) {
   const project::Stage stage(
       project::FromText(from_the_middle + "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0\n" + box_around));
   EXPECT_EQ(project::Render(stage, Small()).share_cut, 0);
 }
 
-TEST(Render, PassesThatAreSeenChangeNoBit) {
+TEST(Render, PassesThatAreShownChangeNoBit) {
   const project::Stage stage(project::Root() / "scenes" / "area_light.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   for (const std::string filter : {"box", "gaussian"}) {
@@ -121,7 +121,7 @@ TEST(Render, PassesThatAreSeenChangeNoBit) {
   }
 }
 
-/// A render stopped after so many tiles, and the state it left.
+/// A render stopped after that many tiles, and its state.
 struct Broken {
   RenderResult result;
   RenderState state;
@@ -142,7 +142,7 @@ Broken BreakOff(const World& world, const Accelerator& accelerator, RenderSettin
   return broken;
 }
 
-// A report wants an error after each pass; what it is told must not decide when the render ends.
+// A report requires an error after each pass; that error must not decide when the render ends.
 TEST(Render, PassReportsDoNotChangeErrorTargetedImages) {
   const project::Stage stage(project::Root() / "scenes" / "indirect.scn");
   RenderSettings settings = Small();
@@ -160,7 +160,7 @@ TEST(Render, PassReportsDoNotChangeErrorTargetedImages) {
     }
 }
 
-// Four samples take four passes, and the look before them one: of 12 tiles each.
+// Four samples take four passes, plus one for the look before them, of 12 tiles each.
 TEST(Render, AnInterruptedImageIsWholeAfterTheFirstLook) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
@@ -203,7 +203,7 @@ TEST(Render, EndingInTheFirstSampleIsRepeatedByAReplay) {
   }
 }
 
-/// Asks for a stop when it is asked for its `last` radiances.
+/// Requests a stop when its `last` radiances are computed.
 class Stopper : public Integrator {
  public:
   Stopper(int last, std::atomic<bool>& stop) : last_(last), stop_(stop) {}
@@ -224,8 +224,8 @@ TEST(Render, LooksCutShortByTimeAreSpreadOverTheImage) {
   RenderSettings settings;
   settings.width = settings.height = 2048;
   settings.budget.seconds = 1e-9;
-  settings.tile_size = 16;  // so that a tile which a thread has only just begun does not count
-  constexpr int blocks = 2048 / BlockOrder::side, parts = 4;  // across the picture
+  settings.tile_size = 16;  // so that a tile which a thread has just started does not count
+  constexpr int blocks = 2048 / BlockOrder::side, parts = 4;  // across the image
   for (const int threads : {1, 2}) {
     settings.threads = threads;
     const RenderResult result = Render(stage.world, *accelerator, settings);
@@ -239,7 +239,7 @@ TEST(Render, LooksCutShortByTimeAreSpreadOverTheImage) {
   }
 }
 
-TEST(Render, BeginsNoRaysAfterAStopWasAskedFor) {
+TEST(Render, BeginsNoRaysAfterAStopRequest) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   for (const int threads : {1, 3}) {
     for (const int last : {1, 5, 40}) {
@@ -251,7 +251,7 @@ TEST(Render, BeginsNoRaysAfterAStopWasAskedFor) {
       monitor.stop = &stop;
       EXPECT_EQ(Render(stage.world, stopper, settings, monitor).stop, Stop::request);
       EXPECT_GE(stopper.Asked(), last);
-      // The other threads may each have looked just before.
+      // The other threads may each have checked just before.
       EXPECT_LE(stopper.Asked(), last + threads - 1);
     }
   }

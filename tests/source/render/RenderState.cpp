@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-/// Made where every byte was `filling` before.
+/// Creates a state in memory whose bytes were all `filling`.
 struct PassIn {
   alignas(Pass) unsigned char bytes[sizeof(Pass)];
   explicit PassIn(int filling) { std::memset(bytes, filling, sizeof bytes); }
@@ -34,8 +34,8 @@ std::vector<unsigned char> BytesOf(const RenderSettings& settings, int filling) 
   return Encoded(state, "x");
 }
 
-// Equal states once gave different checkpoints, since bytes between the fields of an error were written as they were.
-TEST(RenderState, CheckpointsHoldNothingButTheState) {
+// Equal states once gave different checkpoints, since the padding between the fields of an error was written.
+TEST(RenderState, CheckpointsContainOnlyTheState) {
   const RenderSettings settings;
   EXPECT_TRUE(BytesOf(settings, 0x00) == BytesOf(settings, 0xff));
 }

@@ -13,7 +13,7 @@ const char* const ball = "sphere -1  0 0 0  1";
 
 bool Has(const std::vector<std::string>& words, const std::string& word) { return std::ranges::count(words, word) > 0; }
 
-TEST(SceneFeatures, TwoStreamsAreThoseOfTheRenderThatIsReplayed) {
+TEST(SceneFeatures, AReplayHasTheStreamsOfItsRender) {
   const project::Stage stage(project::FromText(ball));
   RenderSettings settings;
   EXPECT_FALSE(Has(FeaturesOf(stage.world, settings).Names(), "two streams"));
@@ -38,7 +38,7 @@ TEST(SceneFeatures, StoppingBlocksEarlyCountsAsBiasInEveryMode) {
   }
 }
 
-TEST(CropDifferences, AreOfWhatDecidesByAllThatIsRendered) {
+TEST(CropDifferences, ListSettingsThatDecideByTheWholeImage) {
   using Words = std::vector<std::string>;
   RenderSettings settings;
   settings.budget.error = ErrorTarget{1};

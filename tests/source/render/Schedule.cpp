@@ -23,7 +23,7 @@ RenderSettings UpTo(int samples) {
   return settings;
 }
 
-/// A target of 1 in the scene's units, so that squared errors are in squares of the target.
+/// Returns settings with a target of 1 in the scene's units, so that squared errors are in squares of the target.
 RenderSettings ToErrorOne(int samples = 1) {
   RenderSettings settings = UpTo(samples);
   settings.budget.error = ErrorTarget{1, ErrorUnit::linear};
@@ -36,7 +36,7 @@ RenderSettings Within(double seconds) {
   return settings;
 }
 
-/// A pass that found these squared errors in the blocks.
+/// Returns a pass that measured these squared errors in the blocks.
 PassOutcome Found(const std::vector<double>& squares, double outlier_share = 0) {
   MeasuredError error;
   error.square_of_blocks = squares;
@@ -48,7 +48,7 @@ PassOutcome Found(const std::vector<double>& squares, double outlier_share = 0) 
 }
 PassOutcome Found(double square) { return Found(std::vector<double>(blocks, square)); }
 
-/// A pass with one squared error everywhere but in the first block, in the corner.
+/// Returns a pass with one squared error everywhere except in the first block, in the corner.
 PassOutcome FoundInCorner(double corner, double elsewhere, double outlier_share = 0) {
   std::vector<double> squares(blocks, elsewhere);
   squares[0] = corner;
@@ -57,10 +57,10 @@ PassOutcome FoundInCorner(double corner, double elsewhere, double outlier_share 
 
 Samples AllAt(std::uint32_t samples) { return Samples(blocks, samples); }
 
-/// A first look at a pixel of each block that took no time.
+/// Returns a first look at a pixel of each block that took no time.
 const PassOutcome quick_look{.now = 0, .seconds_taken = 1e-9, .samples_taken = 1.0 / BlockOrder::places, .error = {}};
 
-/// Past the looks, where samples begin.
+/// Advances past the looks, to the first samples.
 Schedule Sampling(const RenderSettings& settings) {
   Schedule schedule(settings, Grid(), false);
   EXPECT_FALSE(schedule.Next(quick_look));
@@ -68,7 +68,7 @@ Schedule Sampling(const RenderSettings& settings) {
   return schedule;
 }
 
-/// Where the first error is looked at, at 8 samples of each stream.
+/// Advances to the first look at an error, at 8 samples of each stream.
 Schedule Deciding(const RenderSettings& settings) {
   Schedule schedule = Sampling(settings);
   for (const std::uint32_t end : {1u, 2u, 4u}) {
@@ -80,7 +80,7 @@ Schedule Deciding(const RenderSettings& settings) {
   return schedule;
 }
 
-TEST(Schedule, TakesAllSamplesThatAreAskedForHoweverMany) {
+TEST(Schedule, TakesAnyNumberOfRequestedSamples) {
   for (const int samples : {3, 1'000'000, 1 << 30, (1 << 30) + 1, std::numeric_limits<int>::max()}) {
     Schedule schedule = Sampling(UpTo(samples));
     while (!schedule.Next(quick_look)) continue;
@@ -94,7 +94,8 @@ TEST(Schedule, BeginsWithALookAtAPixelOfEachBlock) {
   EXPECT_EQ(schedule.State().targets, (PassTargets{AllAt(0), std::vector<std::uint8_t>(blocks, 1)}));
 }
 
-/// At how many places looks end that cost so many seconds for a whole sample, until samples begin or it stops.
+/// Returns the numbers of places at which looks end, if a whole sample costs that many seconds, until samples begin or
+/// it stops.
 std::vector<int> Looks(const RenderSettings& settings, double seconds_per_sample) {
   Schedule schedule(settings, Grid(), false);
   std::vector<int> looks;
@@ -125,7 +126,7 @@ TEST(Schedule, LooksContinueUntilTimeRunsOut) {
   }
 }
 
-TEST(Schedule, LeavesTheTimeForWhatComesAfterTheSamples) {
+TEST(Schedule, ReservesTimeForTheWorkAfterTheSamples) {
   constexpr double pace = 0.02, fixed = 1.5, after_each = 0.03;  // seconds of a sample; after all of them
   RenderSettings settings = Within(10);
   settings.denoise = true;
@@ -193,7 +194,7 @@ TEST(Schedule, LessThanDoublesTheSamplesNearItsTarget) {
   EXPECT_LT(near.State().end, 12u);
 }
 
-// In between (0,2)-sequences are worse than they were with fewer samples.
+// In between, (0,2)-sequences are worse than with fewer samples.
 TEST(Schedule, PassesEndAtQuartersOfTheLastPowerOfTwo) {
   for (const double square : {0.92, 1.0, 1.2, 1.5, 2.0, 3.0}) {
     Schedule schedule = Deciding(ToErrorOne());
@@ -228,7 +229,7 @@ TEST(Schedule, AFirstErrorMustMeetTheTargetWithDoubledSquare) {
   EXPECT_FALSE(perhaps.Next(Found(0.5)));
 }
 
-// Coarse targets are met by four samples of each stream; finer ones would change if more than that were decided there.
+// Coarse targets are met by four samples of each stream; finer ones would change if anything else were decided there.
 TEST(Schedule, AFirstErrorThatIsTooLargeLeavesNoTrace) {
   RenderSettings settings = ToErrorOne();
   settings.budget.seconds = 1e6;
@@ -242,7 +243,7 @@ TEST(Schedule, AFirstErrorThatIsTooLargeLeavesNoTrace) {
   EXPECT_EQ(looks.State().last_squared_errors, without.State().last_squared_errors);
 }
 
-// One look may see a small error by luck; light that it missed would be missing from the picture.
+// A single look may see a small error by luck; light that it missed would be missing from the image.
 TEST(Schedule, BlocksCloseAfterTwoLooksAwayFromOpenBlocks) {
   Schedule schedule = Deciding(ToErrorOne());
   ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1)));
@@ -254,7 +255,7 @@ TEST(Schedule, BlocksCloseAfterTwoLooksAwayFromOpenBlocks) {
   }
 }
 
-TEST(Schedule, WithoutAdaptiveSamplingEveryBlockGoesOn) {
+TEST(Schedule, WithoutAdaptiveSamplingEveryBlockContinues) {
   RenderSettings settings = ToErrorOne();
   settings.budget.adaptive = Adaptive::off;
   Schedule schedule = Deciding(settings);
@@ -264,7 +265,8 @@ TEST(Schedule, WithoutAdaptiveSamplingEveryBlockGoesOn) {
   }
 }
 
-// Rare bright samples: where the last pass found them nobody would have looked, so nobody knows where the next are.
+// Rare bright samples: the last pass found them in blocks that would have been closed, so the next ones may be
+// anywhere.
 TEST(Schedule, OutliersWhereBlocksWouldHaveClosedKeepAllOpen) {
   for (const double outlier_share : {0.4, 0.6}) {
     Schedule schedule = Deciding(ToErrorOne());
@@ -286,8 +288,8 @@ TEST(Schedule, StationaryOutliersKeepOnlyTheirBlocksOpen) {
   EXPECT_EQ(schedule.State().targets.samples.back(), 16u);
 }
 
-// What no sample has found raises no block's error. If blocks stopped nevertheless, the rest would go on until the whole
-// picture seemed good enough, and the light that then is found would be missing from all that had stopped.
+// Light that no sample has found raises no block's error. If blocks stopped nevertheless, the rest would continue until
+// the whole image seemed good enough, and light found later would be missing from all blocks that had stopped.
 TEST(Schedule, LightThatNoSampleHasFoundKeepsAllBlocksOpen) {
   for (const double unseen_share : {0.0, 0.04, 0.06, 0.9}) {
     Schedule schedule = Deciding(ToErrorOne());
@@ -299,7 +301,7 @@ TEST(Schedule, LightThatNoSampleHasFoundKeepsAllBlocksOpen) {
   }
 }
 
-/// The samples per pixel of a render that takes `seconds_per_sample` when it ends, and when that is.
+/// Returns the samples per pixel of a render that takes `seconds_per_sample`, and the time when it ends.
 std::pair<double, double> RunOnClock(double budget, double seconds_per_sample) {
   Schedule schedule = Sampling(Within(budget));
   double now = 0, done = 0;
@@ -323,7 +325,7 @@ TEST(Schedule, UsesUpButNeverExceedsTheTimeBudget) {
   for (double seconds_per_sample = 9; seconds_per_sample > 1e-5; seconds_per_sample *= 0.83) {
     const auto [samples, now] = RunOnClock(10, seconds_per_sample);
     EXPECT_LE(now, 9.7) << seconds_per_sample;
-    // Less than a hundredth of the time, or a sample of one block, is too little to go on.
+    // Less than a hundredth of the time, or a sample of one block, is too little to continue.
     EXPECT_GT(now, 9.7 - 0.1 - 2 * seconds_per_sample / blocks) << seconds_per_sample;
     EXPECT_NEAR(samples * seconds_per_sample, now, 1e-9);
   }
@@ -346,7 +348,7 @@ TEST(Schedule, WithoutTimeForAnotherSampleStops) {
   EXPECT_EQ(schedule.Next({.now = 9.65, .seconds_taken = 9, .samples_taken = 1, .error = {}}), Stop::time);
 }
 
-// A render that resumes at the very end of a pass has not yet seen how fast it is.
+// A render that resumes at the very end of a pass does not know its speed yet.
 TEST(Schedule, AtUnknownSpeedTheNextPassTakesOneSample) {
   Schedule schedule(Within(10), Grid(), false);
   schedule.Resume({{AllAt(64)}, {}, 64});
@@ -356,7 +358,8 @@ TEST(Schedule, AtUnknownSpeedTheNextPassTakesOneSample) {
   EXPECT_EQ(late.Next({.now = 11, .seconds_taken = 1e-6, .samples_taken = 0, .error = {}}), Stop::time);
 }
 
-/// What a pass of an unevenly lit picture finds: errors fall with the samples, and far more slowly in two corners.
+/// Returns the errors of a pass in an unevenly lit image: they fall with the samples, and far more slowly in two
+/// corners.
 PassOutcome Lifelike(const Schedule& schedule) {
   std::vector<double> squares(blocks);
   for (int i = 0; i < blocks; ++i) {
@@ -373,7 +376,7 @@ TEST(Schedule, ManyMachinesGoAsFarAsTheirPaceAllows) {
   EXPECT_EQ(one.State().end, 2u);
   pass.is_of_many_machines = true;
   EXPECT_FALSE(many.Next(pass));
-  // They get 0.6 of the 96 seconds that are left until 97 % of the time, a second a sample, after the one that is there.
+  // They get 0.6 of the 96 seconds that are left until 97% of the time, at a second per sample, after the existing one.
   EXPECT_EQ(many.State().targets, PassTargets{AllAt(58)});
   RenderSettings to_error = ToErrorOne();
   to_error.budget.seconds = 100;
@@ -406,7 +409,7 @@ TEST(Schedule, AReplayEndsWithTheOriginalSamples) {
   EXPECT_EQ(again.State().targets.samples, replay.samples);
 }
 
-TEST(Schedule, GoesOnFromItsStateToTheSameDecisions) {
+TEST(Schedule, ResumesFromItsStateWithTheSameDecisions) {
   Schedule whole(ToErrorOne(), Grid(), false);
   std::optional<Stop> stop;
   int passes = 0;
@@ -423,7 +426,7 @@ TEST(Schedule, GoesOnFromItsStateToTheSameDecisions) {
   EXPECT_GT(passes, 4);
 }
 
-TEST(Schedule, AReplayGoesOnFromTheMiddle) {
+TEST(Schedule, AReplayResumesFromTheMiddle) {
   RenderSettings settings = UpTo(1);
   settings.replay = Replay{false, 8, {1, 2, 4, 8}, {}, {}};
   Schedule schedule(settings, Grid(), false);
@@ -434,8 +437,8 @@ TEST(Schedule, AReplayGoesOnFromTheMiddle) {
   EXPECT_EQ(schedule.Next({}), Stop::samples);
 }
 
-// A viewer's first samples are made in an order of its own.
-TEST(Schedule, GoesOnFromSamplesThatWereTakenElsewhere) {
+// A viewer's first samples are taken in its own order.
+TEST(Schedule, ContinuesFromSamplesTakenElsewhere) {
   Schedule schedule(UpTo(6), Grid(), false);
   schedule.Resume({{AllAt(1)}, {}, 1});
   EXPECT_EQ(schedule.State().targets, PassTargets{AllAt(1)});
@@ -453,7 +456,7 @@ TEST(Schedule, AReplayMayEndInTheFirstSample) {
   EXPECT_EQ(schedule.Next({}), Stop::samples);
 }
 
-/// What ends a render whose error has not fallen for long.
+/// Returns the end of a render whose error has not fallen for long.
 std::optional<Stop> EndOfStalled(const RenderSettings& settings) {
   Schedule schedule(settings, Grid(), false);
   schedule.Next(quick_look);
@@ -466,16 +469,16 @@ std::optional<Stop> EndOfStalled(const RenderSettings& settings) {
   return stop;
 }
 
-TEST(Schedule, AStalledErrorEndsWhatNothingElseWould) { EXPECT_EQ(EndOfStalled(ToErrorOne()), Stop::stall); }
+TEST(Schedule, AStalledErrorEndsARenderWithoutOtherLimits) { EXPECT_EQ(EndOfStalled(ToErrorOne()), Stop::stall); }
 
-TEST(Schedule, AStalledErrorEndsNothingThatHasAnotherEnd) {
+TEST(Schedule, AStalledErrorEndsNoRenderWithOtherLimits) {
   EXPECT_EQ(EndOfStalled(ToErrorOne(1 << 20)), std::nullopt);
   RenderSettings settings = ToErrorOne();
   settings.budget.seconds = 1000;
   EXPECT_EQ(EndOfStalled(settings), std::nullopt);
 }
 
-/// Neighbors that differ by so many levels, in the block in the corner alone.
+/// Returns a pass in which neighbors differ by that many levels, in the block in the corner alone.
 PassOutcome UnlikeInCorner(double levels) {
   PassOutcome pass{.now = 1, .seconds_taken = 1, .samples_taken = 1, .error = {}};
   pass.contrasts.assign(blocks, 0.99 / 255);
@@ -483,7 +486,7 @@ PassOutcome UnlikeInCorner(double levels) {
   return pass;
 }
 
-TEST(Schedule, OfNeighborsGivesUnlikeBlocksAllSamplesAtOnce) {
+TEST(Schedule, OfNeighborsGivesDifferingBlocksAllSamplesAtOnce) {
   RenderSettings settings = UpTo(9);
   settings.budget.adaptive = Adaptive::neighbors;
   Schedule schedule(settings, Grid(), false);
@@ -527,8 +530,8 @@ TEST(Schedule, OfNeighborsIsOffForBudgetsAndCostModes) {
   EXPECT_EQ(Schedule(settings, Grid(), false).State().targets.samples, AllAt(9));
 }
 
-// Each look takes a filter, so there are few: at half of the samples that a large error needs, and at a little more
-// than all of those that a small one needs.
+// Each look requires filtering, so there are few: at half of the samples that a large error needs, and at slightly more
+// than all that a small one needs.
 TEST(Schedule, DenoisedImagesAreLookedAtRarely) {
   RenderSettings settings = ToErrorOne();
   settings.denoise = true;
@@ -541,7 +544,7 @@ TEST(Schedule, DenoisedImagesAreLookedAtRarely) {
   EXPECT_EQ(schedule.State().end, 240u);
 }
 
-// Errors of filtered blocks are differences of squares; a checkpoint may not hold any below 0.
+// Errors of filtered blocks are differences of squares; a checkpoint must not contain negative ones.
 TEST(Schedule, BlocksWhoseErrorIsEstimatedBelow0CountAs0) {
   RenderSettings settings = ToErrorOne();
   settings.denoise = true;

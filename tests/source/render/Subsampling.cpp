@@ -1,4 +1,4 @@
-// -samples 1/4 and the like: so few of the pixels are traced, and the rest filled in.
+// -samples 1/4 and similar: that fraction of the pixels is traced, and the rest is filled in.
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(Subsampling, AQuarterIsEverySecondPixelOfEverySecondRow) {
     }
 }
 
-TEST(Subsampling, ThreadsAndTilesMakeOnePicture) {
+TEST(Subsampling, ThreadsAndTilesMakeTheSameImage) {
   const project::Stage stage(Hello());
   RenderSettings settings = Settings(4);
   const R2::Image image = project::Render(stage, settings).image;
@@ -61,24 +61,24 @@ TEST(Subsampling, ThreadsAndTilesMakeOnePicture) {
   EXPECT_TRUE(project::Render(stage, settings).image == image);
 }
 
-TEST(Subsampling, MoreSamplesThanOneAreNotConcerned) {
+TEST(Subsampling, DoesNotApplyToSeveralSamples) {
   const project::Stage stage(Hello());
   RenderSettings settings = Settings(4), plain = Settings(1);
   settings.samples = plain.samples = 2;
   EXPECT_TRUE(project::Render(stage, settings).image == project::Render(stage, plain).image);
 }
 
-TEST(Subsampling, ThePixelsTreeSaysThatItIsLeftOut) {
+TEST(Subsampling, ThePixelsTreeSaysThatItIsSkipped) {
   const project::Stage stage(Hello());
   const auto accelerator = FindAcceleratorKind("bvh")->Make(stage.world, {});
   const auto says = [&](int x, int y) {
-    return Has(DebugPixel(stage.world, *accelerator, Settings(4), x, y), "left out by -samples");
+    return Has(DebugPixel(stage.world, *accelerator, Settings(4), x, y), "skipped by -samples");
   };
   EXPECT_FALSE(says(10, 20));
   EXPECT_TRUE(says(11, 20));
 }
 
-TEST(Subsampling, TheProgramSaysHowManyPixelsItTraced) {
+TEST(Subsampling, TheProgramReportsTheTracedPixels) {
   NEEDS_THE_PROGRAM();
   const SceneFolder folder;
   const Finished ended =
@@ -132,7 +132,7 @@ TEST(Subsampling, G9_PixelsBeyondFloatsAreStoredAsTheLargest) {
   }
 }
 
-TEST(Subsampling, WhatNeedsEveryPixelIsRefused) {
+TEST(Subsampling, OptionsThatNeedEveryPixelAreRefused) {
   NEEDS_THE_PROGRAM();
   const SceneFolder folder;
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{

@@ -12,19 +12,19 @@ namespace {
 
 TEST_F(ViewerTest, TheRenderedPictureIsShownFlatUntilEscape) {
   Do("key I");
-  EXPECT_FALSE(viewer_->Show().picture) << "nothing is rendered yet";
+  EXPECT_FALSE(viewer_->Show().covering) << "nothing is rendered yet";
   Do("key S\nwait trace\nkey I");
   FrameState shown = viewer_->Show();
-  ASSERT_TRUE(shown.picture && shown.picture->frame);
-  EXPECT_EQ(shown.picture->frame, &viewer_->Pictures().Trace()->frame());
-  EXPECT_EQ(shown.picture->place.width, width);
-  EXPECT_EQ(shown.picture->place.height, height);
+  ASSERT_TRUE(shown.covering && shown.covering->frame);
+  EXPECT_EQ(shown.covering->frame, &viewer_->Pictures().Trace()->frame());
+  EXPECT_EQ(shown.covering->place.width, width);
+  EXPECT_EQ(shown.covering->place.height, height);
   EXPECT_EQ(shown.split, width) << "all of it";
   EXPECT_TRUE(shown.lines->empty());
   Do("key Control+Up");
-  EXPECT_EQ(viewer_->Show().picture->exposure.factor, 2);
+  EXPECT_EQ(viewer_->Show().covering->exposure.factor, 2);
   Do("key Escape");
-  EXPECT_FALSE(viewer_->Show().picture);
+  EXPECT_FALSE(viewer_->Show().covering);
   EXPECT_EQ(viewer_->Show().split, -1);
 }
 
@@ -33,7 +33,7 @@ TEST_F(ViewerTest, TheWheelZoomsAndADragMovesTheFlatImage) {
   const Camera before = camera();
   const R2::Point pixel = viewer_->state().PictureUnderPointer();
   Do("scroll 5 10.5 20.5");
-  const PixelBox zoomed = viewer_->Show().picture->place;
+  const PixelBox zoomed = viewer_->Show().covering->place;
   EXPECT_GT(zoomed.width, 2 * width);
   EXPECT_NEAR(viewer_->state().PictureUnderPointer().x, pixel.x, 1e-9);
   EXPECT_NEAR(viewer_->state().PictureUnderPointer().y, pixel.y, 1e-9);
@@ -45,7 +45,7 @@ TEST_F(ViewerTest, TheWheelZoomsAndADragMovesTheFlatImage) {
   EXPECT_EQ(StateLine("pixel"), "10 20");
   EXPECT_TRUE(IsCameraOf(before));
   Do("scroll 1000 30 20\nscroll -1000 30 20");
-  EXPECT_NEAR(viewer_->Show().picture->place.width, 0.1 * width, 1e-9);
+  EXPECT_NEAR(viewer_->Show().covering->place.width, 0.1 * width, 1e-9);
 }
 
 TEST_F(ViewerTest, TheSliderShowsPreviewOrReferenceBesideTheImage) {
@@ -89,7 +89,7 @@ TEST_F(ViewerTest, LargePixelsTellTheirValues) {
              y = static_cast<int>(viewer_->state().PictureUnderPointer().y);
   const R2::Color value = viewer_->Pictures().Trace()->frame().At(x, y);
   // The three that are nearest to the middle of that pixel, from the top.
-  const PixelBox place = viewer_->Show().picture->place;
+  const PixelBox place = viewer_->Show().covering->place;
   const double side = place.width / 400;
   std::string told;
   for (const Label& label : labels)

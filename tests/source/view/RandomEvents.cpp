@@ -68,7 +68,7 @@ class RandomUser {
     const FrameState shown = viewer_->Show();
     ASSERT_GE(shown.view.width, 1);
     ASSERT_LE(shown.view.width, shown.size.width);
-    for (const auto& picture : {shown.quad, shown.picture}) {
+    for (const auto& picture : {shown.quad, shown.covering}) {
       if (!picture) continue;
       ASSERT_NE(picture->frame == nullptr, picture->image == nullptr) << "either a frame or an image";
       if (picture->frame) picture->frame->At(0, picture->frame->Height() - 1);

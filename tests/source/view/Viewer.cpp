@@ -29,10 +29,10 @@ TEST_F(ViewerTest, SRendersOnlyTheDraggedCropUntilEscape) {
   // Flat, it is where it is in the view, and its pixels are those that are clicked.
   Do("key I");
   const FrameState flat = viewer_->Show();
-  ASSERT_TRUE(flat.picture);
-  EXPECT_NEAR(flat.picture->place.left, 8, 1e-9);
-  EXPECT_NEAR(flat.picture->place.width, 33, 1e-9);
-  EXPECT_NEAR(flat.picture->place.bottom, 6, 1e-9);
+  ASSERT_TRUE(flat.covering);
+  EXPECT_NEAR(flat.covering->place.left, 8, 1e-9);
+  EXPECT_NEAR(flat.covering->place.width, 33, 1e-9);
+  EXPECT_NEAR(flat.covering->place.bottom, 6, 1e-9);
   Do("key Escape\nkey Escape\n");
   EXPECT_EQ(viewer_->Message(), "crop cleared; S renders the whole view");
   Do("key S\nwait trace\n");

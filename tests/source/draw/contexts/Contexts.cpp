@@ -5,13 +5,13 @@
 #include "tests/Sanitizers.h"
 #include "tests/source/draw/contexts/Usable.h"
 
-// The leak sanitizer asks for this: OSMesa 22.3 keeps 160 bytes for every context that was ever made current, destroyed
-// or not.
+// Called by the leak sanitizer: OSMesa 22.3 keeps 160 bytes for every context that was ever current, even after its
+// destruction.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so"; }
 
-// Leaks are looked for at the end, when the driver of a window is unloaded; what its variables then no longer point to
-// would be one: 128 bytes, from Mesa 22.3.
+// Leaks are searched at the end, when the driver of a window is unloaded. Memory referenced only by its variables would
+// count as a leak: 128 bytes, from Mesa 22.3.
 #ifdef RAYTESTS_ADDRESS_SANITIZER
 extern "C" int dlclose(void*) { return 0; }
 #endif
@@ -24,7 +24,7 @@ std::string Complaint(const std::string& kind) {
   return project::MessageOf<ContextError>([&] { ray::MakeOffscreenContext(kind); });
 }
 
-TEST(Contexts, AnUnknownKindIsToldTheKindsThereAre) {
+TEST(Contexts, AnUnknownKindListsTheAvailableOnes) {
   EXPECT_EQ(Complaint("vulkan"), "unknown context 'vulkan'; choose one of auto, egl, osmesa");
 }
 
@@ -48,7 +48,7 @@ TEST(Contexts, AKindNotBuiltInNamesItsPackage) {
 #endif
 }
 
-// Who asks for nothing in particular gets a picture wherever there is any way to one.
+// Without a requested kind, there must be an image wherever any kind works.
 TEST(Contexts, AutoWorksWhereAnyKindDoes) {
   std::string works;
   for (const std::string& kind : ray::OffscreenContextKinds())
@@ -62,13 +62,13 @@ TEST(Contexts, AutoWorksWhereAnyKindDoes) {
 
 class ContextOfKind : public ray::testing::WithContext {};
 
-TEST_P(ContextOfKind, SaysWhatItIsAndWhatDrawsForIt) {
+TEST_P(ContextOfKind, NamesItsKindAndRenderer) {
   EXPECT_EQ(context->Name().substr(0, GetParam().size() + 2), GetParam() + ": ");
   EXPECT_NE(context->Name().find("OpenGL "), std::string::npos) << context->Name();
   EXPECT_EQ(context->Name().find("unknown"), std::string::npos) << context->Name();
 }
 
-TEST_P(ContextOfKind, CanBeMadeAgainAfterItsEndAndBesideAnother) {
+TEST_P(ContextOfKind, CanBeCreatedAgainAndNextToAnother) {
   const std::string name = context->Name();
   context.reset();
   context = ray::MakeOffscreenContext(GetParam());

@@ -9,7 +9,8 @@
 
 namespace ray::testing {
 
-/// A kind of context without a window, made before each test. The test is skipped where the machine cannot make it.
+/// A kind of context without a window, created before each test. The test is skipped if the machine does not support
+/// it.
 class WithContext : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {

@@ -12,15 +12,15 @@
 #include "source/draw/gl/Painter.h"
 #include "tests/Display.h"
 
-// Windows on a display of the test's own, with keys and a pointer moved by xdotool; the one thing that no script of
-// events can try.
+// Windows on a separate display, with keys and a pointer moved by xdotool; the only part that scripts of events cannot
+// test.
 namespace {
 
 using namespace ray;
 using ray::testing::Server;
 using ray::testing::Variable;
 
-TEST(WindowWithoutADisplay, SaysSoInALineThatTellsWhatNeedsNone) {
+TEST(WindowWithoutADisplay, IsReportedInALineWithAnAlternative) {
   const Variable x("DISPLAY", nullptr), wayland("WAYLAND_DISPLAY", nullptr);
   try {
     MakeWindow(100, 100, "none");
@@ -47,14 +47,14 @@ class WindowOnADisplay : public ::testing::Test {
     }
   }
 
-  /// Has `actions` done to the window, %1 in them, while it looks away.
+  /// Applies `actions`, with %1 for the window, while the window does not wait.
   void Do(const std::string& actions) {
     const std::string line = "timeout 20 xdotool search --onlyvisible --name '^a test$' " + actions + " >/dev/null";
     for (int i = 0; i < 50 && std::system(line.c_str()) != 0; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
 
-  /// What happens until an event is the last one waited for, or ten seconds are over.
+  /// Returns the events up to the last expected one, for at most ten seconds.
   std::vector<Event> WaitFor(const std::function<bool(const Event&)>& is_last) {
     std::vector<Event> all;
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
@@ -69,7 +69,7 @@ class WindowOnADisplay : public ::testing::Test {
 
   std::optional<Server> server;
   std::optional<Variable> display;
-  std::unique_ptr<Window> window;  // goes first
+  std::unique_ptr<Window> window;  // destroyed first
 };
 
 template <typename Kind>
@@ -85,7 +85,7 @@ bool IsReleaseOf(const Event& event, Key key) {
   return of_key && of_key->key == key && !of_key->is_pressed;
 }
 
-TEST_F(WindowOnADisplay, TellsKeysWithTheirModifiersAndTheKeypadApart) {
+TEST_F(WindowOnADisplay, DistinguishesKeysModifiersAndTheKeypad) {
   Do("windowfocus key --delay 20 s shift+s ctrl+F12 bracketleft KP_1 1 Escape Prior End");
   const auto events = WaitFor([](const Event& event) { return IsReleaseOf(event, Key::end); });
   std::vector<std::pair<Key, Modifiers>> pressed;
@@ -102,8 +102,8 @@ TEST_F(WindowOnADisplay, TellsKeysWithTheirModifiersAndTheKeypadApart) {
   }
 }
 
-// Asked for when the event is read, the place would be where the pointer has gone since.
-TEST_F(WindowOnADisplay, TellsWhereButtonsWerePressedAndReleased) {
+// A query when the event is read would return the pointer's later position.
+TEST_F(WindowOnADisplay, ReportsWhereButtonsWerePressedAndReleased) {
   Do("windowfocus mousemove --window %1 50 40 mousedown 3 mousemove --window %1 200 150 mouseup 3 "
      "mousemove --window %1 60 60 click 4 click 5 key q");
   const auto events = WaitFor([](const Event& event) { return IsReleaseOf(event, Key::q); });
@@ -123,7 +123,7 @@ TEST_F(WindowOnADisplay, TellsWhereButtonsWerePressedAndReleased) {
   EXPECT_EQ(scrolls[0].y, 240 - 60.5);
 }
 
-TEST_F(WindowOnADisplay, TellsItsNewSize) {
+TEST_F(WindowOnADisplay, ReportsItsNewSize) {
   EXPECT_EQ(window->Width(), 320);
   EXPECT_EQ(window->Height(), 240);
   Do("windowsize %1 400 300");
@@ -148,7 +148,7 @@ TEST_F(WindowOnADisplay, WaitsUntilItIsWokenFromAnotherThread) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
-TEST_F(WindowOnADisplay, DrawsTheSameAsAFramebufferOfItsOwn) {
+TEST_F(WindowOnADisplay, DrawsTheSameAsAFramebuffer) {
   std::vector<R2::Image> images;
   for (const auto target : {Canvas::Target::window, Canvas::Target::own}) {
     Painter painter(target);

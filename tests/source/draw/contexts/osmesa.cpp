@@ -18,7 +18,7 @@ std::set<std::string> AllThatMatch(const std::string& text, const std::regex& pa
   return all;
 }
 
-// One that is missing is looked up through GLX or EGL, which ends the program where neither has a context.
+// A missing one is looked up through GLX or EGL, which ends the program if neither has a context.
 TEST(OsMesa, HasEveryFunctionOfOpenGlThatWeCall) {
   const std::filesystem::path draw = project::Root() / "source/draw";
   std::set<std::string> called;

@@ -16,7 +16,7 @@ namespace {
 
 class CoarseDrawing : public ray::testing::WithPainter {
  protected:
-  /// What a viewer of that scene shows at first, with so many pixels in one.
+  /// Returns the first frame of a viewer of that scene, with that pixel step.
   R2::Image Shown(const std::string& scene, int step) {
     ray::Witness host;
     ray::ViewerSettings settings;

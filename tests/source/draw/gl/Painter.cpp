@@ -15,7 +15,7 @@ namespace {
 
 using ray::ClipMatrix;
 using ray::Rgba;
-using Look = ray::PictureLook;
+using Look = ray::ImageLook;
 
 constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 const ray::PreviewView from_front{{0, 0, -4}, {}, {}};
@@ -26,7 +26,7 @@ Rgba PixelOf(const R2::Image& image, int x, int y) {
   return {R2::ToByte(c.r), R2::ToByte(c.g), R2::ToByte(c.b), 255};
 }
 
-/// A material that sends out a color, and lets the rest of alpha through.
+/// A material that emits a color, and transmits the rest of alpha.
 ray::SurfaceMaterial Shining(const Rgba& color) {
   const double alpha = color[3] / 255.0;
   ray::SurfaceMaterial material;
@@ -40,7 +40,7 @@ std::array<std::int16_t, 4> Packed(float x, float y, float z) {
   return {channel(x), channel(y), channel(z), 0};
 }
 
-/// A rectangle over all that is seen, at a depth in [-1, 1], -1 in front.
+/// A rectangle over the whole view, at a depth in [-1, 1], -1 in front.
 ray::PreviewScene Wall(float depth, const Rgba& color) {
   ray::PreviewScene wall;
   for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}})
@@ -50,10 +50,10 @@ ray::PreviewScene Wall(float depth, const Rgba& color) {
   return wall;
 }
 
-/// Through the middle, from left to right.
+/// A line through the middle, from left to right.
 ray::Lines Across(float depth, const Rgba& color) { return {{{-1, 0, depth}, color}, {{1, 0, depth}, color}}; }
 
-/// Thousands of triangles and lines through each other, of every feature that the shader has.
+/// Draws thousands of triangles and lines through each other, with every feature of the shader.
 R2::Image Thicket() {
   std::mt19937 random(1);
   const auto number = [&random] { return static_cast<float>(random()) / 2147483648.0F - 1; };
@@ -62,12 +62,12 @@ R2::Image Thicket() {
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 16; ++x) image.Set(x, y, color());
   const auto texture = std::make_shared<const ray::Texture>(ray::Texture{image});
-  ray::PreviewScene picture;
-  picture.environment = std::make_shared<const ray::Environment>(image);
-  picture.around = {0.1, 0.2, 0.3};
-  for (int i = 0; i < 5; ++i) picture.lights.lights.push_back({color(), {number(), number(), number()}});
-  picture.lights.lights.push_back({color(), {0, 0, -3}, false, {0, 0, 1}, 0.9, 8});
-  ray::Surfaces& surfaces = picture.surfaces;
+  ray::PreviewScene preview;
+  preview.environment = std::make_shared<const ray::Environment>(image);
+  preview.around = {0.1, 0.2, 0.3};
+  for (int i = 0; i < 5; ++i) preview.lights.lights.push_back({color(), {number(), number(), number()}});
+  preview.lights.lights.push_back({color(), {0, 0, -3}, false, {0, 0, 1}, 0.9, 8});
+  ray::Surfaces& surfaces = preview.surfaces;
   for (std::uint32_t batch = 0; batch < 8; ++batch) {
     ray::SurfaceMaterial m;
     m.ambient = 0.1 * color(), m.kd = color(), m.ks = color(), m.kr = 0.3 * color(), m.n = 20;
@@ -93,7 +93,7 @@ R2::Image Thicket() {
   }
   ray::Painter painter(ray::Canvas::Target::own);
   painter.canvas.Begin(200, 150, {0.1, 0.2, 0.3});
-  const auto uploaded = painter.surfaces.Upload(picture);
+  const auto uploaded = painter.surfaces.Upload(preview);
   const ray::PreviewView view{{0, 0, -4}, {{{-1, -1, 2}, {2, 0, 0}, {0, 2, 0}}}, {1.2, true}};
   painter.surfaces.DrawSky(*uploaded, view);
   painter.surfaces.Draw(*uploaded, as_it_is, view, true);
@@ -102,16 +102,16 @@ R2::Image Thicket() {
   return painter.canvas.Read();
 }
 
-// Else a picture that a test expects would have to be kept once for each kind.
+// Otherwise tests would need a stored image for each kind.
 TEST(Drawings, AreTheSameBytesInEveryContextOfOneRenderer) {
-  std::map<std::string, std::vector<R2::Image>> pictures;  // by renderer
+  std::map<std::string, std::vector<R2::Image>> images;  // by renderer
   for (const std::string& kind : ray::OffscreenContextKinds()) try {
       const auto context = ray::MakeOffscreenContext(kind);
-      pictures[context->Name().substr(kind.size())].push_back(Thicket());
+      images[context->Name().substr(kind.size())].push_back(Thicket());
     } catch (const ray::ContextError&) {
     }
   bool were_compared = false;
-  for (const auto& [renderer, same] : pictures)
+  for (const auto& [renderer, same] : images)
     for (std::size_t i = 1; i < same.size(); ++i) {
       were_compared = true;
       EXPECT_TRUE(same[i] == same[0]) << renderer;
@@ -121,7 +121,7 @@ TEST(Drawings, AreTheSameBytesInEveryContextOfOneRenderer) {
 
 class Painter : public ray::testing::WithPainter {};
 
-TEST_P(Painter, BeginsWithTheBackgroundAtWhateverSizeIsAskedFor) {
+TEST_P(Painter, BeginsWithTheBackgroundAtAnySize) {
   for (const auto& [width, height] : {std::pair{30, 20}, {7, 50}, {0, 0}, {30, 20}}) {
     painter->canvas.Begin(width, height, {1.0 / 3, 2, -1});
     if (width == 0) continue;  // a window shrunk to nothing
@@ -155,7 +155,7 @@ TEST_P(Painter, ClipsToTheViewport) {
     }
 }
 
-TEST_P(Painter, ShowsWhatIsInFrontWhateverTheOrder) {
+TEST_P(Painter, ShowsTheFrontInAnyOrder) {
   const auto front = painter->surfaces.Upload(Wall(-0.5F, red)), back = painter->surfaces.Upload(Wall(0.5F, green));
   for (bool is_front_first : {true, false}) {
     painter->canvas.Begin(4, 4, {});
@@ -173,8 +173,8 @@ TEST_P(Painter, BlendsClearTrianglesAndShowsLaterOnesBehind) {
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 2), green);
 }
 
-// The rays behind a thing are what one looks for; those in front must stay apart from them.
-TEST_P(Painter, DimsHiddenLinesAndLeavesThemOutWhenAskedTo) {
+// Rays behind an object are of interest; those in front must be distinguishable from them.
+TEST_P(Painter, DimsOrOmitsHiddenLines) {
   const auto wall = painter->surfaces.Upload(Wall(0, {0, 0, 255, 255}));
   const auto front = painter->lists.Upload(Across(-0.5F, white)), behind = painter->lists.Upload(Across(0.5F, white));
   const auto at_middle = [&](const ray::GpuLines& lines, double hidden) {
@@ -200,9 +200,9 @@ TEST_P(Painter, HidesLinesBehindTheDistancesOfAnImage) {
   constexpr double unit = 2;  // of the drawing space
   const auto at_middle = [&](float distance, float depth_of_line) {
     painter->canvas.Begin(9, 9, {});
-    const auto distances = painter->pictures.Make(1, 1);
-    painter->pictures.Update(*distances, 0, 1, std::array{distance, distance, distance});
-    painter->pictures.DrawDepths(*distances, view, clip, unit);
+    const auto distances = painter->images.Make(1, 1);
+    painter->images.Update(*distances, 0, 1, std::array{distance, distance, distance});
+    painter->images.DrawDepths(*distances, view, clip, unit);
     painter->lists.Draw(*painter->lists.Upload(line(depth_of_line)), clip, 1, 0);
     return PixelOf(painter->canvas.Read(), 4, 4);
   };
@@ -219,7 +219,7 @@ TEST_P(Painter, ShowsLinesThatLieOnTriangles) {
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 4, 4), white);
 }
 
-TEST_P(Painter, DrawsLinesOfTheWidthAskedFor) {
+TEST_P(Painter, DrawsLinesOfTheRequestedWidth) {
   for (int width : {1, 3, 5}) {
     painter->canvas.Begin(21, 21, {});
     painter->lists.Draw(*painter->lists.Upload(Across(0, white)), as_it_is, width);
@@ -243,11 +243,11 @@ TEST_P(Painter, DrawsTheEdgesOfTrianglesInOneColor) {
   int greens = 0;
   for (int y = 0; y < 21; ++y)
     for (int x = 0; x < 21; ++x) greens += PixelOf(image, x, y) == green;
-  EXPECT_GE(greens, 45);  // four sides of 11 pixels less corners, and a diagonal
+  EXPECT_GE(greens, 45);  // four sides of 11 pixels minus corners, and a diagonal
   EXPECT_LE(greens, 60);
 }
 
-// Else a dense mesh would be one area of ink.
+// Otherwise a dense mesh would be filled with ink.
 TEST_P(Painter, DrawsTheEdgesOfSmallTrianglesFaintly) {
   const auto wall = painter->surfaces.Upload(Wall(0, red));
   const auto green_of = [&](double size) {
@@ -262,37 +262,37 @@ TEST_P(Painter, DrawsTheEdgesOfSmallTrianglesFaintly) {
   EXPECT_GT(green_of(0.05), 50);
 }
 
-// What is shown is then sure to be what was traced.
-/// Rows from the bottom, r g b.
-std::vector<float> ReadBack(const ray::GpuPicture& picture) {
-  std::vector<float> rgb(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
-  glBindTexture(GL_TEXTURE_2D, picture.texture.Name());
+// Reads back rows from the bottom, r g b, so that the displayed values are known to be the traced ones.
+std::vector<float> ReadBack(const ray::GpuImage& image) {
+  std::vector<float> rgb(3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  glBindTexture(GL_TEXTURE_2D, image.texture.Name());
   glGetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_FLOAT, rgb.data());
   return rgb;
 }
 
-TEST_P(Painter, KeepsEveryBitOfAPicture) {
+TEST_P(Painter, KeepsEveryBitOfAnImage) {
   std::mt19937 random(2);
   std::vector<float> rgb(3 * 13 * 7);
   for (float& channel : rgb)
     channel = std::ldexp(static_cast<float>(random() >> 8), static_cast<int>(random() % 60) - 50);
-  const auto picture = painter->pictures.Make(13, 7);
-  EXPECT_EQ(ReadBack(*picture), std::vector<float>(rgb.size()));
-  painter->pictures.Update(*picture, 0, 7, rgb);
-  EXPECT_EQ(ReadBack(*picture), rgb);
+  const auto uploaded = painter->images.Make(13, 7);
+  EXPECT_EQ(ReadBack(*uploaded), std::vector<float>(rgb.size()));
+  painter->images.Update(*uploaded, 0, 7, rgb);
+  EXPECT_EQ(ReadBack(*uploaded), rgb);
 }
 
 TEST_P(Painter, UpdatesTheRowsItIsGivenAndNoOthers) {
-  const auto picture = painter->pictures.Make(5, 6);
+  const auto uploaded = painter->images.Make(5, 6);
   std::vector<float> expected(3 * 5 * 6, 0.25F);
-  painter->pictures.Update(*picture, 0, 6, expected);
+  painter->images.Update(*uploaded, 0, 6, expected);
   const std::vector<float> rows(3 * 5 * 2, 0.75F);
-  painter->pictures.Update(*picture, 3, 2, rows);
+  painter->images.Update(*uploaded, 3, 2, rows);
   std::copy(rows.begin(), rows.end(), expected.begin() + 3 * 5 * 3);
-  EXPECT_EQ(ReadBack(*picture), expected);
+  EXPECT_EQ(ReadBack(*uploaded), expected);
 }
 
-/// Around every place where a byte gives way to the next, linear or sRGB; and what is no number to be shown.
+/// Returns values around every place where a byte gives way to the next, linear or sRGB, and values that are not
+/// finite.
 std::vector<float> HardChannels() {
   const float infinity = std::numeric_limits<float>::infinity();
   std::vector<float> channels{
@@ -305,17 +305,17 @@ std::vector<float> HardChannels() {
   return channels;
 }
 
-TEST_P(Painter, ShowsTheBytesThatAnImageFileWouldHold) {
+TEST_P(Painter, ShowsTheBytesOfAnImageFile) {
   const std::vector<float> channels = HardChannels();
   const int width = 64, height = static_cast<int>((channels.size() + 63) / 64);
-  const auto picture = painter->pictures.Make(width, height);
+  const auto uploaded = painter->images.Make(width, height);
   std::vector<float> rgb(3 * static_cast<std::size_t>(width * height));
   for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = channels[(i / 3 + i % 3 * 5) % channels.size()];
-  painter->pictures.Update(*picture, 0, height, rgb);
+  painter->images.Update(*uploaded, 0, height, rgb);
   for (bool srgb : {false, true}) {
     painter->canvas.Begin(width + 5, height + 5, {});
     painter->canvas.SetViewport(3, 2, width, height);
-    painter->pictures.Draw(*picture, Look{.srgb = srgb});
+    painter->images.Draw(*uploaded, Look{.srgb = srgb});
     const R2::Image image = painter->canvas.Read();
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
@@ -327,31 +327,31 @@ TEST_P(Painter, ShowsTheBytesThatAnImageFileWouldHold) {
   }
 }
 
-TEST_P(Painter, MultipliesAPictureByItsExposure) {
-  const auto picture = painter->pictures.Make(1, 1);
-  painter->pictures.Update(*picture, 0, 1, std::array{0.125F, 0.25F, 0.75F});
+TEST_P(Painter, MultipliesAnImageByItsExposure) {
+  const auto uploaded = painter->images.Make(1, 1);
+  painter->images.Update(*uploaded, 0, 1, std::array{0.125F, 0.25F, 0.75F});
   painter->canvas.Begin(2, 2, {});
-  painter->pictures.Draw(*picture, Look{.exposure = 2});
+  painter->images.Draw(*uploaded, Look{.exposure = 2});
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 0, 0), (Rgba{R2::ToByte(0.25), R2::ToByte(0.5), 255, 255}));
 }
 
-TEST_P(Painter, LeavesOutRowsThatAreNotTracedYet) {
-  const auto picture = painter->pictures.Make(4, 4);
-  painter->pictures.Update(*picture, 0, 4, std::vector<float>(48, 1.0F));
+TEST_P(Painter, OmitsRowsThatAreNotTracedYet) {
+  const auto uploaded = painter->images.Make(4, 4);
+  painter->images.Update(*uploaded, 0, 4, std::vector<float>(48, 1.0F));
   for (int rows : {0, 1, 3, 4}) {
     painter->canvas.Begin(4, 4, {});
-    painter->pictures.Draw(*picture, Look{.rows = rows});
+    painter->images.Draw(*uploaded, Look{.rows = rows});
     const R2::Image image = painter->canvas.Read();
     for (int y = 0; y < 4; ++y) EXPECT_EQ(PixelOf(image, 2, y) == white, y < rows) << rows << ' ' << y;
   }
 }
 
-TEST_P(Painter, PutsAnImageUprightOnAQuadBehindNearerThings) {
-  const auto picture = painter->pictures.Make(2, 2);
-  painter->pictures.Update(*picture, 0, 2, std::array{1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 1.F, 1.F, 1.F});
+TEST_P(Painter, PutsAnImageUprightOnAQuadBehindNearerObjects) {
+  const auto uploaded = painter->images.Make(2, 2);
+  painter->images.Update(*uploaded, 0, 2, std::array{1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 1.F, 1.F, 1.F});
   const std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
   painter->canvas.Begin(10, 10, {});
-  painter->pictures.Draw(*picture, corners, as_it_is, Look{});
+  painter->images.Draw(*uploaded, corners, as_it_is, Look{});
   const R2::Image image = painter->canvas.Read();
   EXPECT_EQ(PixelOf(image, 1, 1), red);
   EXPECT_EQ(PixelOf(image, 8, 1), green);
@@ -363,12 +363,12 @@ TEST_P(Painter, PutsAnImageUprightOnAQuadBehindNearerThings) {
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 8, 8), red);
 }
 
-TEST_P(Painter, BlendsAPictureAndShowsWhatComesLaterBehindIt) {
-  const auto picture = painter->pictures.Make(1, 1);
-  painter->pictures.Update(*picture, 0, 1, std::array{1.F, 1.F, 1.F});
+TEST_P(Painter, BlendsAnImageAndShowsLaterDrawingBehindIt) {
+  const auto uploaded = painter->images.Make(1, 1);
+  painter->images.Update(*uploaded, 0, 1, std::array{1.F, 1.F, 1.F});
   const std::array<std::array<float, 3>, 4> corners{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}};
   painter->canvas.Begin(4, 4, {});
-  painter->pictures.Draw(*picture, corners, as_it_is, Look{.alpha = 0.2});
+  painter->images.Draw(*uploaded, corners, as_it_is, Look{.alpha = 0.2});
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 1), (Rgba{51, 51, 51, 255}));
   painter->surfaces.Draw(*painter->surfaces.Upload(Wall(0.5F, red)), as_it_is, from_front, false);
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 1, 1), red);
@@ -390,7 +390,7 @@ TEST_P(Painter, DrawsPanelsPixelByPixelWithinTheirParts) {
   add(0, 4, 0, red);
   panels.parts = {{0, 0, 12, 8, 0, 18}, {0, 4, 2, 8, 18, 6}};
   painter->canvas.Begin(12, 8, {1, 1, 1});
-  painter->canvas.SetViewport(0, 0, 1, 1);  // which panels do not keep to
+  painter->canvas.SetViewport(0, 0, 1, 1);  // which panels ignore
   painter->panels.Draw(panels, painter->canvas);
   const R2::Image image = painter->canvas.Read();
   for (int x = 0; x < 12; ++x)
@@ -411,17 +411,17 @@ TEST_P(Painter, DrawsEmptyListsAsNothing) {
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 0, 0), white);
 }
 
-TEST_P(Painter, RefusesPicturesTooLargeToBeShown) {
-  EXPECT_THROW(painter->pictures.Make(1 << 20, 1), ray::ContextError);
+TEST_P(Painter, RejectsImagesThatAreTooLarge) {
+  EXPECT_THROW(painter->images.Make(1 << 20, 1), ray::ContextError);
   EXPECT_THROW(painter->canvas.Begin(1, 1 << 20, {}), ray::ContextError);
   painter->canvas.Begin(2, 2, {1, 1, 1});
   EXPECT_EQ(PixelOf(painter->canvas.Read(), 0, 0), white);
 }
 
-// A scene may go after the painter that drew it.
-TEST_P(Painter, MayGoBeforeWhatItKeeps) {
+// A scene may be destroyed after the painter that drew it.
+TEST_P(Painter, MayBeDestroyedBeforeItsUploads) {
   const auto triangles = painter->surfaces.Upload(Wall(0, red));
-  const auto picture = painter->pictures.Make(2, 2);
+  const auto uploaded = painter->images.Make(2, 2);
   painter.reset();
 }
 

@@ -1,5 +1,5 @@
-// The preview against the tracer: where no shadow falls and mirrors see nothing but what is around, they are one
-// image; hard shadows come near to it.
+// The preview compared with the tracer: without shadows, and with mirrors that reflect only the surroundings, they are
+// the same image; hard shadows are close to it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ class Preview : public ray::testing::WithPainter {
     return painter->canvas.Read();
   }
 
-  /// The share of pixels that are more than `far` 255ths away from what is traced.
+  /// Returns the share of pixels that differ by more than `far`/255 from the traced image.
   double Differing(const project::Stage& stage, double far = 3, ray::RenderSettings settings = {},
                    bool with_shadows = false) {
     settings.width = settings.height = side;
@@ -53,7 +53,7 @@ class Preview : public ray::testing::WithPainter {
 
 const std::string camera = "camera  0 0 6  0 0 -1  0 1 0  0.25  0.01 100\n";
 const std::string ball = "sphere 0  0 0 0  1\n";
-constexpr double outline = 0.02;  // of the pixels, which a ball of flat triangles leaves free
+constexpr double outline = 0.02;  // of the pixels, which a ball of flat triangles does not cover
 
 std::string Material(const std::string& rest) { return "material  0.2 0.3 0.4  " + rest + "\n"; }
 
@@ -93,15 +93,15 @@ TEST_P(Preview, ShowsTheColorsOfVertices) {
   EXPECT_EQ(Differing(stage(false)), 0);
 }
 
-TEST_P(Preview, HasTheTexturesOfTheTracerWhereTheyAre) {
+TEST_P(Preview, HasTheTexturesOfTheTracerInPlace) {
   ray::RenderSettings settings;
   settings.trace.shadows = false;
   ray::Scene scene = ray::Parse(project::Root() / "scenes/texture.scn", {}).scene;
-  for (ray::Material& material : scene.materials) material.kr = {};  // whose mirrors show nothing but the sky
+  for (ray::Material& material : scene.materials) material.kr = {};  // with mirrors that reflect only the sky
   EXPECT_LT(Differing(project::Stage(std::move(scene)), 25, settings), 0.06);
 }
 
-TEST_P(Preview, MirrorsItsBackgroundAndLetsItThrough) {
+TEST_P(Preview, ReflectsAndTransmitsItsBackground) {
   const std::string lit = camera + "background 0.5 0.6 0.7\ndir_light 0.5 0.5 0.5  0 0 -1\n";
   const project::Stage mirror(
       project::FromText(lit + Material("0.1 0.1 0.1  0.6 0.6 0.6  0 0 0  0 0 0  20 1 0") + ball));
@@ -115,7 +115,7 @@ TEST_P(Preview, ShowsTheEnvironmentBehindAndInMirrors) {
   EXPECT_LT(Differing(project::Stage(project::Root() / "scenes/environment_probe.scn"), 20), 0.15);
 }
 
-TEST_P(Preview, HasTheShadowsOfTheTracerWhenAskedFor) {
+TEST_P(Preview, HasTheShadowsOfTheTracerOnRequest) {
   for (const char* light :
        {"dir_light 0.8 0.7 0.6  -1 -2 -0.5\n", "point_light 0.8 0.7 0.6  3 8 2  1 0 0\n",
         "point_light 0.8 0.7 0.6  1.5 1.8 1  1 0 0\n", "spot_light 0.8 0.7 0.6  1 6 1  -1 -6 -1  1 0 0  0.4 1\n",
@@ -125,11 +125,11 @@ TEST_P(Preview, HasTheShadowsOfTheTracerWhenAskedFor) {
         Material("0.7 0.6 0.5  0 0 0  0 0 0  0 0 0  20 1 0") + "box 0  -4 -1 -4  4 -0.9 4\nsphere 0  0 0.3 0  0.8\n"));
     const double without = Differing(stage, 20);
     EXPECT_GT(without, 0.02) << light;
-    EXPECT_LT(Differing(stage, 20, {}, true), without / 5) << light;  // less their edges
+    EXPECT_LT(Differing(stage, 20, {}, true), without / 5) << light;  // except for their edges
   }
 }
 
-// It ended before the horizon, with a black band below the sky.
+// It once ended before the horizon, with a black band below the sky.
 TEST_P(Preview, HasPlanesUpToTheHorizon) {
   const project::Stage stage(project::FromText(
       "camera  0 1 6  0 0 -1  0 1 0  0.3  0.01 100\nbackground 0 0 0\nambient 1 1 1\n" +
@@ -157,7 +157,7 @@ TEST_P(Preview, HasSmoothEdges) {
   EXPECT_GT(between, 20);
 }
 
-TEST_P(Preview, FollowsSrgbAlsoWhereLightComesThrough) {
+TEST_P(Preview, FollowsSrgbAlsoForTransmittedLight) {
   const std::string lit = camera + "background 0.2 0.1 0.05\ndir_light 0.5 0.4 0.3  0 0 -1\n";
   const project::Stage solid(project::FromText(lit + Material("0.7 0.6 0.5  0 0 0  0 0 0  0 0 0  20 1 0") + ball));
   const project::Stage pane(project::FromText(lit + Material("0.1 0.1 0.1  0 0 0  0.8 0.6 0.7  0 0 0  20 1 0") +
@@ -168,7 +168,7 @@ TEST_P(Preview, FollowsSrgbAlsoWhereLightComesThrough) {
   EXPECT_LT(Differing(pane, 3, settings), outline);
 }
 
-// A scene whose author forgot the lights is still one to be looked at.
+// A scene whose author forgot the lights should still be visible.
 TEST_P(Preview, OfAnUnlitSceneIsLitFromTheEye) {
   const project::Stage stage(project::FromText(camera + "point_light 0 0 0  0 0 0  1 0 0\n" +
                                                Material("0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  20 1 0") + ball));

@@ -7,7 +7,7 @@
 
 namespace ray::testing {
 
-/// A painter in a context without a window, made before each test.
+/// A painter in a context without a window, created before each test.
 class WithPainter : public WithContext {
  protected:
   void SetUp() override {

@@ -23,7 +23,7 @@ TEST(PreviewLights, OfVeryManyAreTheStrongest) {
   EXPECT_FALSE(found.head_light);
 }
 
-TEST(PreviewLights, FallOffInTheWorldHoweverLargeTheDrawingSpace) {
+TEST(PreviewLights, AttenuateInTheWorldForAnySizeOfTheDrawingSpace) {
   const project::Stage stage(project::FromText("sphere -1  0 0 0  10\npoint_light 1 1 1  30 0 0  2 3 4\n"));
   const double radius = ray::DrawingSpace::Of(stage.scene->root.bounds).radius;
   const auto lights = LightsOf(stage).lights;
@@ -33,7 +33,7 @@ TEST(PreviewLights, FallOffInTheWorldHoweverLargeTheDrawingSpace) {
   EXPECT_DOUBLE_EQ(lights[0].quadratic, 4 * radius * radius);
 }
 
-TEST(PreviewLights, HaveOneForTheTrianglesOfAMeshThatEmits) {
+TEST(PreviewLights, HaveOneForTheTrianglesOfAnEmissiveMesh) {
   const project::Stage stage(
       project::FromText("point_light 0 0 0  0 0 0  1 0 0\nmaterial  0 0 0  0 0 0  0 0 0  0 0 0  2 1 0.5  1 1 0\n"
                         "tri 0  -1 -1 0  1 -1 0  0 2 0\nsphere 0  5 0 0  1\n"));
@@ -83,7 +83,7 @@ TEST(PreviewLights, OfAMeshIsAsStrongAsItsLampsTogether) {
   }
 }
 
-TEST(PreviewLights, ComeFromTheEyeOnlyWhereNothingElseShines) {
+TEST(PreviewLights, ComeFromTheEyeOnlyIfNothingElseShines) {
   const std::string unlit = "point_light 0 0 0  0 0 0  1 0 0\nsphere -1  0 0 0  1\n";
   EXPECT_TRUE(LightsOf(project::Stage(project::FromText(unlit))).head_light);
   for (const char* lit : {"ambient 0.1 0.1 0.1\n", "dir_light 1 1 1  0 0 1\n",
@@ -92,8 +92,8 @@ TEST(PreviewLights, ComeFromTheEyeOnlyWhereNothingElseShines) {
   EXPECT_FALSE(LightsOf(project::Stage(project::Root() / "scenes/environment.scn")).head_light);
 }
 
-// Every point of the scene that a light may shine on is within the view of its shadow map, in front of it.
-TEST(ShadowViews, SeeTheWholeSceneFromOutsideAndWhatIsAheadFromInside) {
+// Every point of the scene that a light may reach is within the view of its shadow map, in front of it.
+TEST(ShadowViews, CoverTheSceneFromOutsideAndTheViewAheadFromInside) {
   Draw draw(7);
   const auto seen = [](const ray::ClipMatrix& m, const R3::Point& p) {
     const auto row = [&](std::size_t r) { return m[r] * p.x + m[4 + r] * p.y + m[8 + r] * p.z + m[12 + r]; };

@@ -1,4 +1,4 @@
-// The scene as triangles: all of it, where it is, in single precision however large or far away.
+// The scene as triangles: all of it, in place, in single precision for any size and distance.
 
 #include "R3/ShapeKind.h"
 #include "source/draw/preview/PreviewScene.h"
@@ -64,7 +64,7 @@ TEST(PreviewScene, HasItsFrontsOutsideMirroredOrNot) {
           const auto& at = surfaces.vertices[surfaces.indices[t + k]].at;
           return R3::Point{at[0], at[1], at[2]};
         };
-        // Both are seen from outside by whom the origin is behind.
+        // Both are seen from outside if the origin is behind.
         EXPECT_GT(Dot(Cross(corner(1) - corner(0), corner(2) - corner(0)), FromOrigin(corner(0))), 0) << shape;
       }
     }
@@ -92,7 +92,7 @@ TEST(PreviewScene, ShowsEachSolidOfACsgInItsOwnMaterial) {
                         "csg difference 0\nbox 0  -2 -1 -2  2 1 2\ncylinder 1  0 0 0  1 2\nend\n"));
   const ray::Surfaces surfaces = PreviewOf(stage).surfaces;
   ASSERT_EQ(surfaces.batches.size(), 2u);
-  // Green is the wall of the hole alone, within a radius of 1 of the axis but for the size of a triangle.
+  // Green is only the wall of the hole, within a radius of 1 of the axis except for the size of a triangle.
   for (const ray::SurfaceBatch& batch : surfaces.batches) {
     EXPECT_GT(batch.count, 100u);
     if (batch.material.kd.g == 0) continue;
@@ -111,7 +111,7 @@ TEST(PreviewScene, HasTextureCoordinatesWhereThereAreTextures) {
   EXPECT_GT(places.size(), 20u);
 }
 
-TEST(PreviewScene, ShowsWhatMovesWhereItIsWhenTheShutterOpens) {
+TEST(PreviewScene, ShowsMovingObjectsWhenTheShutterOpens) {
   ray::Scene scene;
   ray::Node group;
   group.motion = {10, 0, 0};
@@ -123,7 +123,7 @@ TEST(PreviewScene, ShowsWhatMovesWhereItIsWhenTheShutterOpens) {
   ExpectWithin(ray::PreviewOf(stage.world, {}, {}).surfaces, 1.001);
 }
 
-TEST(PreviewScene, StaysWithinItsBudgetAndSaysWhatIsMissing) {
+TEST(PreviewScene, StaysWithinItsBudgetAndCountsMissingParts) {
   ray::Scene scene;
   for (int i = 0; i < 10'000; ++i)
     scene.root.children.push_back(
@@ -145,7 +145,7 @@ TEST(PreviewScene, StaysWithinItsBudgetAndSaysWhatIsMissing) {
   ExpectWithin(part.surfaces, 1.001);
 }
 
-TEST(PreviewScene, SimplifiesHugeMeshesAndKeepsSmallThings) {
+TEST(PreviewScene, SimplifiesHugeMeshesAndKeepsSmallObjects) {
   ray::Scene scene;
   const auto data = accelerators::BumpyBall(300, 300);
   scene.root.children.push_back(accelerators::Leaf(std::make_shared<R3::Mesh>(data)));
@@ -183,7 +183,7 @@ TEST(Shrunk, KeepsBlockMeansAndLeavesSmallImagesAlone) {
   EXPECT_NEAR(shrunk.At(1, 0).r, 1.5, 1e-6);
 }
 
-TEST(PreviewScene, OfNothingIsNothing) {
+TEST(PreviewScene, OfAnEmptySceneIsEmpty) {
   const project::Stage stage(project::FromText("\n"));
   EXPECT_EQ(Count(PreviewOf(stage).surfaces), 0u);
   EXPECT_EQ(PreviewOf(stage).left_out, 0);
@@ -196,7 +196,7 @@ TEST(DrawingSpace, HasARadiusForEverythingAndNothing) {
   EXPECT_NEAR(ray::DrawingSpace::Of({{0, 0, 0}, {2, 4, 4}}).radius, 3, 1e-15);
 }
 
-TEST(Shown, IsClampedAndNeverStrange) {
+TEST(Shown, IsClampedAndAlwaysFinite) {
   EXPECT_EQ(ray::Shown({-1, 0.5, 7}, 2), (ray::Rgba{0, 128, 255, 255}));
   EXPECT_EQ(ray::Shown({std::nan(""), R3::infinity, -R3::infinity}, 0), (ray::Rgba{0, 255, 0, 0}));
 }

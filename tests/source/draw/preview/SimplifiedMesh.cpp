@@ -7,7 +7,7 @@
 
 namespace {
 
-/// A ball of radius 1 about `middle`, without normals.
+/// Returns a ball of radius 1 about `middle`, without normals.
 R3::MeshData Ball(std::uint32_t rings, const R3::Point& middle = {3, 5, 7}) {
   R3::MeshData mesh;
   const std::uint32_t sides = 2 * rings;
@@ -25,7 +25,7 @@ R3::MeshData Ball(std::uint32_t rings, const R3::Point& middle = {3, 5, 7}) {
   return mesh;
 }
 
-TEST(SimplifiedMesh, HasAboutAsManyTrianglesAsAreAskedFor) {
+TEST(SimplifiedMesh, HasAboutTheRequestedNumberOfTriangles) {
   const R3::MeshData ball = Ball(200);
   for (const std::int64_t wanted : {500, 5000, 20'000}) {
     const auto count = static_cast<double>(ray::SimplifiedMesh(ball, wanted).triangles.size());
@@ -51,7 +51,7 @@ TEST(SimplifiedMesh, StaysNearTheSurfaceAndFacesTheSameWay) {
   EXPECT_NEAR(volume, 4 * std::numbers::pi / 3, 0.3) << "some triangles are missing, or turned over";
 }
 
-TEST(SimplifiedMesh, KeepsWhatVerticesHave) {
+TEST(SimplifiedMesh, KeepsTheVerticesAttributes) {
   R3::MeshData ball = Ball(100);
   for (const R3::Point& p : ball.positions) {
     ball.normals.push_back({0, 0, 1});
@@ -67,7 +67,7 @@ TEST(SimplifiedMesh, KeepsWhatVerticesHave) {
   }
 }
 
-TEST(SimplifiedMesh, IsTheMeshItselfWhereThatIsSmallEnough) {
+TEST(SimplifiedMesh, IsTheMeshItselfIfThatIsSmallEnough) {
   const R3::MeshData ball = Ball(10);
   const R3::MeshData same = ray::SimplifiedMesh(ball, static_cast<std::int64_t>(ball.triangles.size()));
   EXPECT_EQ(same.triangles, ball.triangles);

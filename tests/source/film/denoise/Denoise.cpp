@@ -18,7 +18,7 @@ namespace {
 constexpr int side = 48;
 constexpr double deviation = 0.05;  // of one stream
 
-/// What pictures are made of: their truth, and a guide that knows it or not.
+/// The inputs of images: the truth, and a guide that may contain it.
 struct Subject {
   std::function<double(int, int)> truth = [](int, int) { return 0.5; };
   std::function<double(int, int)> guide = [](int, int) { return 0.0; };
@@ -47,7 +47,7 @@ Guides GuidesOf(const Subject& subject) {
   return guides;
 }
 
-DenoisedPicture Denoised(const Subject& subject, std::uint64_t seed) {
+DenoisedImage Denoised(const Subject& subject, std::uint64_t seed) {
   return Denoise(Stream(subject, 2 * seed), Stream(subject, 2 * seed + 1), GuidesOf(subject));
 }
 
@@ -67,14 +67,14 @@ Film FilmOf(const R2::Image& a, const R2::Image& b) {
                      [&](int part, int x, int y, std::uint32_t) { return FilmSample{(part == 0 ? a : b).At(x, y)}; });
 }
 
-TEST(Denoise, AConstantPictureStaysAsItIsToTheBit) {
+TEST(Denoise, AConstantImageIsUnchangedBitForBit) {
   const Subject gray;
   const R2::Image image = Stream(gray, 1, 0);
   EXPECT_TRUE(Denoise(image, image, GuidesOf(gray)).Mean() == image);
 }
 
-// A plane fitted to all of a window has at its middle the mean of its 49 pixels, so a seventh of the deviation is the
-// best there is. Weights that take noise for difference leave more; the mean of two streams has 1 / sqrt(2) of one's.
+// A plane fitted to a whole window has the mean of its 49 pixels in the middle, so a seventh of the deviation is the
+// optimum. Weights that mistake noise for differences leave more; the mean of two streams has 1 / sqrt(2) of one's.
 TEST(Denoise, NoiseOnFlatSurfacesFallsAlmostToASeventh) {
   const Subject gray;
   const double before = deviation / std::sqrt(2.0), after = RmsError(Denoised(gray, 1).Mean(), gray);
@@ -82,7 +82,7 @@ TEST(Denoise, NoiseOnFlatSurfacesFallsAlmostToASeventh) {
   EXPECT_LT(after, before / 4);
 }
 
-TEST(Denoise, AnEdgeThatItsGuideKnowsStaysSharp) {
+TEST(Denoise, AGuidedEdgeStaysSharp) {
   const auto step = [](int x, int) { return x < side / 2 ? 0.3 : 0.7; };
   const Subject edge{step, step};
   const R2::Image image = Denoised(edge, 2).Mean();
@@ -92,7 +92,7 @@ TEST(Denoise, AnEdgeThatItsGuideKnowsStaysSharp) {
   EXPECT_LT(RmsError(image, edge), deviation / std::sqrt(2.0) / 3);
 }
 
-TEST(Denoise, ATextureThatItsGuideKnowsIsNotBlurred) {
+TEST(Denoise, AGuidedTextureIsNotBlurred) {
   const auto squares = [](int x, int y) { return (x / 2 + y / 2) % 2 == 0 ? 0.4 : 0.6; };
   const Subject texture{squares, squares};
   EXPECT_LT(RmsError(Denoised(texture, 3).Mean(), texture), deviation / std::sqrt(2.0) / 3);
@@ -104,8 +104,8 @@ TEST(Denoise, AnUnguidedTextureGetsNoWorseThanItsNoise) {
   EXPECT_LT(RmsError(Denoised(texture, 4).Mean(), texture), deviation / std::sqrt(2.0));
 }
 
-// What camera rays alone decide is as exact as the best guides, however much it differs from one stream to the other.
-TEST(Denoise, NoiseThatIsTheGuidesOwnGoesWithIt) {
+// Features that camera rays alone determine are as accurate as the best guides, however much the streams differ.
+TEST(Denoise, NoiseThatGuidesShareIsRemovedWithTheirs) {
   const Subject gray;
   const R2::Image a = Stream(gray, 5), b = Stream(gray, 6);
   Guides guides = GuidesOf({.guide = gray.truth});
@@ -140,12 +140,12 @@ TEST(Denoise, NonFiniteInputGivesFiniteOutput) {
   a.Set(5, 5, {nan, infinity, -infinity});
   b.Set(5, 6, {infinity, nan, 3e38});
   b.Set(40, 0, {-3e38, 3e38, nan});
-  const DenoisedPicture denoised = Denoise(a, b, GuidesOf(gray));
+  const DenoisedImage denoised = Denoise(a, b, GuidesOf(gray));
   for (const R2::Image& image : {denoised.of_stream[0], denoised.of_stream[1], denoised.Mean()})
     for (const float channel : image.Channels()) ASSERT_TRUE(std::isfinite(channel));
 }
 
-TEST(Denoise, PicturesSmallerThanAWindowAreFilteredToo) {
+TEST(Denoise, ImagesSmallerThanAWindowAreFilteredToo) {
   for (const auto& [width, height] : {std::pair{1, 1}, {2, 1}, {1, 5}, {3, 3}}) {
     R2::Image a(width, height), b(width, height);
     for (int y = 0; y < height; ++y)
@@ -171,8 +171,8 @@ TEST(Denoise, IsBitIdenticalOnAnyNumberOfThreads) {
   EXPECT_TRUE(one == with_threads(7));
 }
 
-// The claim of a render is one number; over many renders its square must be that of the truth.
-TEST(DenoisedError, ClaimsAreTrueOnAverage) {
+// The estimate of a render is a single number; over many renders its square must be that of the truth.
+TEST(DenoisedError, EstimatesAreTrueOnAverage) {
   const auto waves = [](int x, int y) {
     return 0.5 + 0.2 * std::sin(0.5 * x) * std::sin(0.4 * y) + (x > 30 ? 0.2 : 0);
   };
@@ -181,7 +181,7 @@ TEST(DenoisedError, ClaimsAreTrueOnAverage) {
     constexpr int trials = 20;
     for (std::uint64_t seed = 0; seed < trials; ++seed) {
       const R2::Image a = Stream(subject, 2 * seed), b = Stream(subject, 2 * seed + 1);
-      const DenoisedPicture denoised = Denoise(a, b, GuidesOf(subject));
+      const DenoisedImage denoised = Denoise(a, b, GuidesOf(subject));
       claimed += MeasureDenoisedError(FilmOf(a, b), denoised, {}).square;
       truth += std::pow(RmsError(denoised.Mean(), subject), 2);
     }
@@ -189,12 +189,12 @@ TEST(DenoisedError, ClaimsAreTrueOnAverage) {
   }
 }
 
-// Beside noise a thousand times as large as what filtered streams differ by, no bias of that size can be seen. A filter
-// of the best strength has half of its variance as its squared bias.
-TEST(DenoisedError, HiddenBiasIsTakenAsHalfTheVariance) {
+// In noise a thousand times larger than the difference of the filtered streams, a bias of that size cannot be measured.
+// A filter of optimal strength has half of its variance as its squared bias.
+TEST(DenoisedError, HiddenBiasCountsAsHalfTheVariance) {
   const Subject gray;
   constexpr double step = 0.001;  // from one filtered stream to the other
-  DenoisedPicture denoised{{R2::Image(side, side), R2::Image(side, side)}};
+  DenoisedImage denoised{{R2::Image(side, side), R2::Image(side, side)}};
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x)
       for (int i = 0; i < 2; ++i) {
@@ -207,7 +207,7 @@ TEST(DenoisedError, HiddenBiasIsTakenAsHalfTheVariance) {
   EXPECT_NEAR(square, 1.5 * variance, 0.05 * variance);
 }
 
-TEST(DenoisedError, APictureWithoutNoiseHasNone) {
+TEST(DenoisedError, AnImageWithoutNoiseHasNone) {
   const Subject gray;
   const R2::Image image = Stream(gray, 1, 0);
   const ErrorEstimate claim =

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t guide_count = std::tuple_size_v<PixelGuide>;
 
-/// All that a fit is made from.
+/// The inputs of a fit.
 struct FitSubject {
   Pixels<Rgb> colors, compared, variance;
   Pixels<PixelGuide> guides, best;
@@ -34,7 +34,7 @@ struct FitSubject {
   }
 };
 
-/// Waves and edges under noise: colors up to 2, guides that tell of them, or of nothing, or vary together.
+/// Waves and edges under noise: colors up to 2, and guides that contain them, contain nothing, or are dependent.
 FitSubject NoisyFit(int width, int height, double strength = 1) {
   FitSubject subject(width, height);
   subject.strength = strength;
@@ -65,7 +65,7 @@ FitSubject NoisyFit(int width, int height, double strength = 1) {
   return subject;
 }
 
-// The fit in plain double precision, pixel by pixel, by the equations; nothing is shared with what is tested.
+// The fit in plain double precision, pixel by pixel, by the equations; it shares no code with the tested one.
 namespace plain {
 
 double WeightOf(const FitSubject& s, int px, int py, int dx, int dy) {
@@ -82,7 +82,7 @@ double WeightOf(const FitSubject& s, int px, int py, int dx, int dy) {
   return weight >= 1e-4 ? weight : 0;
 }
 
-/// By Gauss and Jordan, with pivoting.
+/// Solves by Gauss and Jordan, with pivoting.
 std::vector<double> Solution(std::vector<std::vector<double>> rows, std::vector<double> right) {
   const std::size_t n = rows.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -141,13 +141,13 @@ TEST(LocalFit, SolvesItsEquationsWithinFloatRounding) {
     }
 }
 
-/// What an instruction set makes of a picture.
+/// Returns the fit of an image by one instruction set.
 struct FitMaking {
   FitSubject subject;
   Pixels<Rgb> fitted;
 };
 
-TEST(LocalFit, IsTheSameToTheBitWithEveryInstructionSet) {
+TEST(LocalFit, IsBitIdenticalWithEveryInstructionSet) {
   const FitSubject subject = NoisyFit(75, 37);
   const Pixels<Rgb> best = subject.Fitted();
   for (const std::string& set : InstructionSets()) {
@@ -163,7 +163,7 @@ TEST(LocalFit, IsTheSameToTheBitWithEveryInstructionSet) {
 TEST(LocalFit, NoBitDependsOnWhereTilesBegin) {
   const FitSubject whole = NoisyFit(90, 60);
   const Pixels<Rgb> of_whole = whole.Fitted();
-  constexpr int margin = 4;  // what a cut changes around it
+  constexpr int margin = 4;  // pixels that a cut changes around it
   for (const auto& [x0, y0] : {std::pair{1, 0}, {0, 1}, {13, 7}, {31, 17}}) {
     FitSubject part(50, 40);
     for (int y = 0; y < 40; ++y)
@@ -181,7 +181,7 @@ TEST(LocalFit, NoBitDependsOnWhereTilesBegin) {
   }
 }
 
-// Guides may be light that is very bright, and sums of its squares leave little of others in a float.
+// Guides may be very bright light, and sums of its squares leave few digits for others in a float.
 TEST(LocalFit, GuidesOfAnySizeKeepColorsInTheirNeighborsRange) {
   constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   for (const float size : {1e3F, 1e6F, 1e18F, 3e38F, infinity, nan}) {

@@ -17,17 +17,16 @@ namespace {
 
 constexpr int extent = 40;
 
-/// A library that does as it is told, for what no real one can be made to do. Its filters give `factor` times the
-/// color.
+/// A fake library, for behavior that no real one can be made to have. Its filters return `factor` times the color.
 struct FakeLibrary {
   std::set<std::string> missing;
   bool has_former_names = false, has_device = true;
-  std::string fault;  // that each question for errors is answered with
+  std::string fault;  // answer to each query for errors
   float factor = 1;
   std::map<std::string, int> device_settings;
   std::set<std::string> filter_settings;
   std::map<std::string, float*> images;
-  int devices = 0, filters = 0;  // that were made and not released
+  int devices = 0, filters = 0;  // created and not released
 };
 FakeLibrary fake;
 
@@ -113,7 +112,7 @@ class OpenImageDenoiseOf : public testing::Test {
  protected:
   void SetUp() override { fake = {}; }
 
-  static DenoisedPicture Denoised() {
+  static DenoisedImage Denoised() {
     return Denoise(ImageOf(NoisyGray(1)), ImageOf(NoisyGray(2)), BlankGuides(),
                    DenoiseFilters(false, std::make_unique<OpenImageDenoise>(FindInFake, 0)));
   }
@@ -134,7 +133,7 @@ TEST_F(OpenImageDenoiseOf, AVersionWithoutAFunctionIsRefusedByName) {
   }
 }
 
-TEST_F(OpenImageDenoiseOf, Version1WorksByTheNamesThatFunctionsHadThere) {
+TEST_F(OpenImageDenoiseOf, Version1WorksByItsFunctionNames) {
   fake.has_former_names = true;
   EXPECT_EQ(FaultOfLoading(), "");
 }
@@ -159,19 +158,19 @@ TEST_F(OpenImageDenoiseOf, AFailingFilterIsReportedAndReleased) {
   EXPECT_EQ(std::pair(fake.devices, fake.filters), std::pair(0, 0));
 }
 
-TEST_F(OpenImageDenoiseOf, ItRunsOnTheThreadsAskedForAndPinsNone) {
+TEST_F(OpenImageDenoiseOf, RunsOnTheRequestedThreadsAndPinsNone) {
   const OpenImageDenoise library(FindInFake, 3);
   EXPECT_EQ(fake.device_settings.at("numThreads"), 3);
   EXPECT_EQ(fake.device_settings.at("setAffinity"), 0);
 }
 
-TEST_F(OpenImageDenoiseOf, ItIsToldOfHdrLightAndCleanGuides) {
+TEST_F(OpenImageDenoiseOf, GetsHdrLightAndCleanGuides) {
   OpenImageDenoise(FindInFake, 0).Filtered(NoisyGray(1), BlankGuides().best[0]);
   EXPECT_EQ(fake.filter_settings, (std::set<std::string>{"hdr", "cleanAux"}));
   EXPECT_TRUE(fake.images.contains("albedo") && fake.images.contains("normal"));
 }
 
-TEST_F(OpenImageDenoiseOf, ItsVersionIsNamedSinceAnotherMayMakeOtherBits) {
+TEST_F(OpenImageDenoiseOf, ItsNameContainsItsVersion) {
   EXPECT_EQ(DenoiseFilters(false, std::make_unique<OpenImageDenoise>(FindInFake, 0)).Name(),
             "Open Image Denoise 9.0.0");
   EXPECT_EQ(DenoiseFilters(true, std::make_unique<OpenImageDenoise>(FindInFake, 0)).Name(),
@@ -179,12 +178,12 @@ TEST_F(OpenImageDenoiseOf, ItsVersionIsNamedSinceAnotherMayMakeOtherBits) {
 }
 
 TEST_F(OpenImageDenoiseOf, AFilterThatChangesNothingChangesNoBit) {
-  const DenoisedPicture picture = Denoised();
-  EXPECT_TRUE(picture.of_stream[0] == ImageOf(NoisyGray(1)));
-  EXPECT_TRUE(picture.of_stream[1] == ImageOf(NoisyGray(2)));
+  const DenoisedImage image = Denoised();
+  EXPECT_TRUE(image.of_stream[0] == ImageOf(NoisyGray(1)));
+  EXPECT_TRUE(image.of_stream[1] == ImageOf(NoisyGray(2)));
 }
 
-TEST_F(OpenImageDenoiseOf, AFilterThatMakesThePictureWorseIsNotUsed) {
+TEST_F(OpenImageDenoiseOf, AFilterThatMakesTheImageWorseIsNotUsed) {
   fake.factor = 0.3F;
   EXPECT_TRUE(Denoised().of_stream[0] == ImageOf(NoisyGray(1)));
 }
@@ -196,7 +195,7 @@ TEST_F(OpenImageDenoiseOf, AMachineWithoutItFailsOnlyOnRequest) {
   EXPECT_NE(project::MessageOf<DenoiserError>([] { DenoiseFilters(Denoiser::both); }).find("not installed"), std::string::npos);
 }
 
-// What a trained filter does is known only by trying: version 2.5.1 leaves 1 / 7 of this noise.
+// The effect of a trained filter can only be measured: version 2.5.1 leaves 1 / 7 of this noise.
 TEST_F(InstalledOpenImageDenoise, NoiseOfAFlatSurfaceFallsByHalfAndMore) {
   const OpenImageDenoise library(0);
   EXPECT_LT(Deviation(library.Filtered(NoisyGray(1), BlankGuides().best[0])), 0.5 * Deviation(NoisyGray(1)));
@@ -209,7 +208,7 @@ TEST_F(InstalledOpenImageDenoise, NoBitDependsOnThreads) {
   EXPECT_TRUE(filtered(1) == filtered(3));
 }
 
-TEST_F(InstalledOpenImageDenoise, IsOneOfBothThatAutomaticChooses) {
+TEST_F(InstalledOpenImageDenoise, AutomaticCombinesItWithRegression) {
   EXPECT_EQ(Resolved(Denoiser::automatic), Denoiser::both);
   EXPECT_EQ(DenoiseFilters(Denoiser::automatic).Name(), DenoiseFilters(Denoiser::both).Name());
 }

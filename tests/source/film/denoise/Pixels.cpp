@@ -39,12 +39,12 @@ TEST(MeansAround, AreTheMeansOfASquareWithoutAnother) {
   }
 }
 
-TEST(MeansAround, AreThePixelsThemselvesWhereNothingIsAround) {
+TEST(MeansAround, WithoutSurroundingsAreThePixelsThemselves) {
   const Pixels<Rgb> pixels = Noise(1, 1);
   EXPECT_EQ(MeansAround(pixels, 3, 1).At(0, 0), pixels.At(0, 0));
 }
 
-// A crop that is denoised has to have the bits of the whole.
+// A denoised crop must have the bits of the whole image.
 TEST(MeansAround, OfAPartEqualThoseOfTheWhole) {
   const Pixels<Rgb> whole = Noise(60, 50);
   const int radius = 7, hole = 3;

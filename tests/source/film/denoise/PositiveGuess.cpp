@@ -7,8 +7,8 @@
 namespace ray {
 namespace {
 
-/// The mean of a quantity by Simpson's rule over its density, exp(-x / expected) times the likelihood of what was
-/// measured, scaled so that it neither overflows nor vanishes.
+/// Computes the mean of a quantity by Simpson's rule over its density, exp(-x / expected) times the likelihood of the
+/// measurement, scaled so that it neither overflows nor vanishes.
 double IntegratedMean(double measured, double variance, double expected) {
   const auto log_density = [&](double x) { return -x / expected - (x - measured) * (x - measured) / (2 * variance); };
   const double peak = std::fmax(0, measured - variance / expected), most = log_density(peak);
@@ -33,7 +33,7 @@ TEST(PositiveGuess, IsTheMeanOfItsDistributionIntegrated) {
     }
 }
 
-TEST(PositiveGuess, ItsSlopeIsHowItsMeanGrowsWithTheMeasurement) {
+TEST(PositiveGuess, ItsSlopeIsTheDerivativeOfItsMean) {
   for (const double noise : {0.1, 1.0, 10.0})
     for (const double measured : {-4.0, -2.0, 0.0, 1.0, 20.0}) {
       constexpr double step = 1e-4;
@@ -44,7 +44,7 @@ TEST(PositiveGuess, ItsSlopeIsHowItsMeanGrowsWithTheMeasurement) {
     }
 }
 
-// Between what is expected, where noise hides all, and what is measured, where there is hardly any.
+// Between the expected value, where noise hides everything, and the measured one, where there is hardly any.
 TEST(PositiveGuess, GoesFromTheExpectedToTheMeasuredAsNoiseFalls) {
   EXPECT_NEAR(GuessPositive(3, 1e12, 0.5).mean, 0.5, 1e-6);
   EXPECT_NEAR(GuessPositive(3, 1e-12, 0.5).mean, 3, 1e-6);

@@ -23,7 +23,7 @@ TEST(FQuantile, OfOneDegreeIsTheSquareOfStudentsT) {
   for (const auto& [p, degrees, t] : table) EXPECT_NEAR(std::sqrt(FQuantile(p, 1, degrees)), t, 2e-5 * t) << degrees;
 }
 
-// F(2, 2) has the distribution f / (1 + f), and F(n, n) is as often below 1 as above.
+// F(2, 2) has the distribution f / (1 + f), and F(n, n) is below 1 as often as above.
 TEST(FQuantile, MeetsItsClosedForms) {
   for (const double p : {0.01, 0.3, 0.5, 0.9, 0.999}) {
     EXPECT_NEAR(FQuantile(p, 2, 2), p / (1 - p), 1e-9 * p / (1 - p));
@@ -32,7 +32,7 @@ TEST(FQuantile, MeetsItsClosedForms) {
   }
 }
 
-// The logarithm is nearly normal for many degrees of freedom, of variance 2 / m + 2 / n (Fisher, 1924).
+// The logarithm is nearly normal for many degrees of freedom, with variance 2 / m + 2 / n (Fisher, 1924).
 TEST(FQuantile, IsNearFishersNormalForManyDegrees) {
   for (const double n : {1e4, 1e5, 1e6})
     EXPECT_NEAR(std::log(FQuantile(0.975, n, n)), 1.959964 * std::sqrt(4 / n), 2 / n) << n;

@@ -17,9 +17,9 @@ TEST(Heat, GoesFromBlackToWhiteByPowersOfTen) {
   EXPECT_EQ(HeatColor(1e9), (R2::Color{1, 1, 1}));
 }
 
-TEST(Heat, CountsWhatWasLookedAt) { EXPECT_EQ(Heat({.node_visits = 3, .box_tests = 2, .primitive_tests = 4}), 7); }
+TEST(Heat, AddsVisitsAndTests) { EXPECT_EQ(Heat({.node_visits = 3, .box_tests = 2, .primitive_tests = 4}), 7); }
 
-// Which solids a camera is inside of is found once by each thread.
+// The solids around a camera are found once by each thread.
 TEST(Heat, DoesNotDependOnThreadsEvenInsideGlass) {
   const project::Stage stage(project::FromText(
       "camera 0 0 0  0 0 -1  0 1 0  0.5  0.01 100  material 0 0 0 .5 .5 .5 0 0 0 .5 .5 .5 0 0 0 10 1.5 0 "
@@ -33,7 +33,7 @@ TEST(Heat, DoesNotDependOnThreadsEvenInsideGlass) {
   EXPECT_TRUE(project::Render(stage, settings, {"none"}).image == one);
 }
 
-TEST(HeatColor, TellsTheCostThatItStandsFor) {
+TEST(HeatColor, IsMappedBackToItsCost) {
   for (double heat = 1; heat <= 10'000; heat *= 1.07) EXPECT_NEAR(HeatOf(HeatColor(heat)) / heat, 1, 1e-12) << heat;
   EXPECT_EQ(HeatOf({0, 0, 2}), 10) << "no color of the scale: the nearest";
 }

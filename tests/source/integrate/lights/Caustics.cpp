@@ -16,7 +16,7 @@ Caustics Of(const std::string& text, const TraceSettings& settings = {}) {
   return CausticsOf(project::Stage(project::FromText(text)).world, settings);
 }
 
-TEST(Caustics, NeedWhatScattersWhatMirrorsAndWhatEmits) {
+TEST(Caustics, RequireScatteringMirroringAndEmissiveSurfaces) {
   const std::string materials = gray + mirror + bright_lamp;
   const std::string floor = "box 0  -3 -1 -3  3 0 3\n", ball = "sphere 1  0 1 0  1\n", light = "sphere 2  0 4 0  .1\n";
   EXPECT_NEAR(Of(materials + floor + ball + light).most, 6 * 0.5 * 0.8, 1e-12);
@@ -40,7 +40,7 @@ TEST(Caustics, OfTheBrightestLightAreCounted) {
   EXPECT_FALSE(Caustics().Counts({6, 6, 6}));
 }
 
-/// A floor beneath a lamp, and beside it a mirror or what has its place.
+/// A floor beneath a light, and next to it a mirror or its replacement.
 RenderResult WithBesideIt(const std::string& material, const std::string& lamp_size, int samples) {
   const project::Stage stage(
       project::FromText("camera 0 3 4  0 -.6 -1  0 1 0  .4  .1 100\n" + gray + material + bright_lamp +

@@ -9,7 +9,7 @@
 namespace ray {
 namespace {
 
-// Emission on a shape of each kind, one of them in a group that is turned, squeezed and moves.
+// Emission on a shape of each kind, one of them in a group that is rotated, scaled and moving.
 const std::string lamp_shapes =
     "camera 0 0 9  0 0 -1  0 1 0  0.4  0.01 100 "
     "material 0 0 0  0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  1 1 0 material 0 0 0  0 0 0  0 0 0  0 0 0  1 2 3  1 1 0 "

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* frames[] = {
     "begin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1 begin -1  1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1 ",
-    // A turn, then scales of 1, 3 and -1/2, then a shear and a shift.
+    // A rotation, then scales of 1, 3 and -1/2, then a shear and a translation.
     "begin -1  1 0.7 0 2  0 1 0 -1  0 0.2 1 0.5  0 0 0 1 "
     "begin -1  0.8 0 0.3 0  0 3 0 0  0.6 0 -0.4 0  0 0 0 1 "};
 
@@ -37,7 +37,7 @@ struct Lamp {
   R3::Box Bounds() const { return stage.world.InWorld(stage.world.Instances()[0].frame, LocalBounds()); }
   R3::Box LocalBounds() const { return R3::Bounds(*stage.world.Instances()[0].shape); }
 
-  /// The pdf of the direction that this place of the lamp is seen in, by rays; 0 where they miss.
+  /// Returns the pdf of the direction in which this place of the light is visible, by rays; 0 if they miss.
   double PdfOf(const EmissiveShape& shape, const R3::Point& from, const R3::Vector& direction) {
     const R3::Ray ray{from, direction};
     const auto hit = accelerator->Intersect(ray, workspace);
@@ -56,7 +56,7 @@ struct Lamp {
   Workspace workspace;
 };
 
-/// Calls check(lamp, from, is_convex, name) for points beside every shape that can be sampled, and inside it if it has
+/// Calls check(lamp, from, is_convex, name) for points next to every shape that can be sampled, and inside it if it has
 /// an inside.
 template <typename Check>
 void ForManyViews(const Check& check) {
@@ -78,7 +78,7 @@ void ForManyViews(const Check& check) {
 
 constexpr int rows = 8, columns = 16;
 
-/// Directions to all that can be seen of a box, cut into cells of the same solid angle.
+/// Directions to all visible parts of a box, divided into cells of equal solid angle.
 struct Cells {
   Cells(const R3::Box& box, const R3::Point& from) {
     const R3::Vector to_center = box.Center() - from;
@@ -86,7 +86,7 @@ struct Cells {
     if (sine < 1) axis = Unit(to_center), one_minus_cosine = 1 - std::sqrt(1 - sine * sine);
   }
 
-  /// Rings by u.x, sectors by u.y: zones of a sphere have areas as their heights.
+  /// Rings by u.x, sectors by u.y: zones of a sphere have areas proportional to their heights.
   R3::Vector Direction(const R2::Point& u) const {
     const double height = u.x * one_minus_cosine;
     return FromTangents(R3::FromPolar(std::sqrt(height * (2 - height)), 1 - height, u.y), axis);
@@ -105,7 +105,7 @@ struct Cells {
   double one_minus_cosine = 2;
 };
 
-/// The mean of f over the directions of a cell, on a grid of this many steps.
+/// Returns the mean of f over the directions of a cell, on a grid of this many steps.
 template <typename Function>
 double MeanOf(const Cells& cells, int cell, int steps, const Function& f) {
   double sum = 0;
@@ -115,7 +115,7 @@ double MeanOf(const Cells& cells, int cell, int steps, const Function& f) {
   return sum / (steps * steps);
 }
 
-/// MeanOf each cell.
+/// Returns MeanOf for each cell.
 template <typename Function>
 std::vector<double> MeanOfEach(const Cells& cells, int steps, const Function& f) {
   std::vector<double> means;
@@ -124,7 +124,7 @@ std::vector<double> MeanOfEach(const Cells& cells, int steps, const Function& f)
 }
 
 TEST(EmissiveShape, SamplesOverPdfSumToTheVisibleSolidAngle) {
-  // Cell by cell: a pdf that is wrong anywhere would count what is seen there too much or too little.
+  // Cell by cell: a pdf that is wrong anywhere would count the part visible there too much or too little.
   constexpr int samples = 20'000;
   ForManyViews([&](Lamp& lamp, const R3::Point& from, bool, const char* name) {
     const EmissiveShape shape = lamp.Shape();
@@ -147,7 +147,7 @@ TEST(EmissiveShape, SamplesOverPdfSumToTheVisibleSolidAngle) {
     });
     int compared = 0;
     for (std::size_t i = 0; i < sums.size(); ++i) {
-      // Where a surface is right beside the point, little area fills much of the view: too few samples fall there.
+      // If a surface is very close to the point, a small area fills much of the view: too few samples fall there.
       if (inverse_pdf[i] > cells.SolidAngle() * samples / 20) continue;
       compared += covered[i] > 0;
       const double deviation = std::sqrt((squares[i] - sums[i] * sums[i]) / samples);
@@ -160,9 +160,9 @@ TEST(EmissiveShape, SamplesOverPdfSumToTheVisibleSolidAngle) {
 }
 
 TEST(EmissiveShape, IsSampledByItsPdfWhichIntegratesToOne) {
-  // The pdf at what rays hit, integrated over all directions, against how often places are picked. Where an area is
-  // seen at a grazing angle no grid integrates its pdf; that of a sphere is bounded, and all are from inside. What
-  // hides behind the rest of a shape that is not convex has the remainder.
+  // Compares the pdf at the hits of rays, integrated over all directions, with the frequency of places. If an area is
+  // seen at a grazing angle, no grid integrates its pdf; that of a sphere is bounded, and all are from inside. Parts
+  // hidden behind the rest of a shape that is not convex have the remainder.
   constexpr int views = 15, samples = 20'000;
   ForManyViews([&](Lamp& lamp, const R3::Point& from, bool is_convex, const char* name) {
     const EmissiveShape shape = lamp.Shape();
@@ -207,7 +207,7 @@ TEST(EmissiveShape, SamplesAndRaysAgreeOnThePdf) {
       const auto hit = lamp.accelerator->Intersect(ray, lamp.workspace);
       if (!hit) continue;  // the place is on the outline
       const R3::Normal normal = lamp.stage.world.At(ray, *hit).normal;
-      if (std::abs(Dot(normal, Unit(sample->towards))) < 1e-3) continue;  // rounding decides what is grazed
+      if (std::abs(Dot(normal, Unit(sample->towards))) < 1e-3) continue;  // rounding decides grazing hits
       EXPECT_NEAR(hit->t, 1, 1e-9) << name;
       EXPECT_NEAR(shape.Pdf(from, hit->t * sample->towards, normal, 0) / sample->pdf, 1, 1e-6) << name;
       ++compared;

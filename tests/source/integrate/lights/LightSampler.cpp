@@ -11,7 +11,7 @@
 namespace ray {
 namespace {
 
-// With -debugpixel a user is told by the wrong light's name what is bright.
+// Otherwise -debugpixel would show users the wrong light as the source of a bright spot.
 TEST(LightSampler, NamesEachOfItsLightsByItsKind) {
   const project::Stage stage(
       project::FromText("point_light 1 1 1  1 2 3  1 0 0 dir_light 1 1 1  0 -1 0 "

@@ -16,7 +16,7 @@ using ray::LightBound;
 using ray::LightTree;
 constexpr double last = 1 - 0x1p-53;
 
-/// Numbers one after the other.
+/// A sequence of random numbers.
 class Numbers {
  public:
   explicit Numbers(std::uint64_t seed) : key_(seed) {}
@@ -38,7 +38,7 @@ R3::Vector RandomUnit(Numbers& numbers) {
   return R3::SampleUniformSphere({x, y});
 }
 
-// Lights of all sorts: some at one place, some with a size, some without power, some infinite, every fall-off.
+// Lights of all kinds: some at the same place, some with a size, some without power, some infinite, every attenuation.
 std::vector<LightBound> RandomLights(int count, std::uint64_t seed) {
   Numbers numbers(seed);
   std::vector<LightBound> lights;
@@ -49,7 +49,7 @@ std::vector<LightBound> RandomLights(int count, std::uint64_t seed) {
     light.power = i % 11 == 10 ? 0 : std::exp(numbers(-5, 5));
     if (i % 5 == 0) light.ca = numbers();
     if (i % 5 == 1) light.la = numbers();
-    if (i % 5 == 2) light.qa = 0;  // no fall-off at all
+    if (i % 5 == 2) light.qa = 0;  // without attenuation
     light.is_infinite = i % 13 == 12;
     lights.push_back(light);
   }
@@ -88,7 +88,7 @@ TEST(LightTree, ProbabilitiesSumToOneAndOnlyLightsBehindHaveNone) {
     }
 }
 
-TEST(LightTree, ChoosesAsOftenAsItSays) {
+TEST(LightTree, ChoosesWithTheStatedProbabilities) {
   for (const int count : {5, 60, 700}) {
     const auto lights = RandomLights(count, 9);
     const LightTree tree(lights);
@@ -131,7 +131,7 @@ double Irradiance(const LightBound& light, const R3::Point& p, const R3::Vector&
   return std::max(0.0, Dot(N, to_light) / d) * (divisor > 0 ? light.power / divisor : light.power);
 }
 
-// A square of side by side point lights, one apart.
+// A square of side by side point lights, one unit apart.
 std::vector<LightBound> Ceiling(int side) {
   std::vector<LightBound> lights;
   for (int i = 0; i < side; ++i)
@@ -143,7 +143,7 @@ struct Variances {
   double by_tree = 0, uniform = 0;
 };
 
-// The variance of value / probability of one light, exactly, added up over random points below the ceiling.
+// The exact variance of value / probability of one light, summed over random points below the ceiling.
 Variances BelowTheCeiling(int side, double height) {
   const auto lights = Ceiling(side);
   const LightTree tree(lights);
@@ -178,7 +178,7 @@ TEST(LightTree, BeatsUniformChoiceUnderACeilingOfLights) {
 }
 
 TEST(LightTree, GrazingLightsKeepATenthOfTheirImportance) {
-  // Two lights alike at one distance, one overhead and one at the horizon.
+  // Two equal lights at the same distance, one overhead and one at the horizon.
   const LightTree tree({{.center = {0, 1, 0}, .power = 1}, {.center = {1, 1e-9, 0}, .power = 1}});
   EXPECT_NEAR(tree.Probability({}, {0, 1, 0}, 1), 0.1 / 1.1, 1e-9);
 }
@@ -224,7 +224,7 @@ TEST(LightTree, NothingIsChosenWhereNoLightCanShine) {
 }
 
 TEST(LightTree, AgreesWithEachLightInTheTangentPlane) {
-  // In a tilted plane far from the origin each light is a rounding in front of it or behind it.
+  // In a tilted plane far from the origin each light is in front of it or behind it by rounding.
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     Numbers numbers(seed);
     const R3::Vector N = RandomUnit(numbers);
@@ -259,13 +259,13 @@ TEST(LightTree, InfiniteLightsShareByPowerWithWhatArrivesFromOthers) {
   EXPECT_NEAR(tree.Probability({}, {0, -1, 0}, 2), 5.0 / 6, 1e-15);
 }
 
-TEST(LightTree, WithoutFallOffPowerAloneCounts) {
+TEST(LightTree, WithoutAttenuationOnlyPowerCounts) {
   const LightTree tree({{.center = {0, 1, 0}, .power = 1, .qa = 0}, {.center = {0, 100, 0}, .power = 3, .qa = 0}});
   EXPECT_NEAR(tree.Probability({}, {0, 1, 0}, 1), 0.75, 1e-15);
 }
 
-/// The lights where lengths are given in a unit that many times smaller: what falls off with the square of the
-/// distance as an area does sends its power through an area so much larger.
+/// Returns the lights with lengths in a unit that is that many times smaller: light that falls off with the squared
+/// distance, as from an area, sends its power through a correspondingly larger area.
 std::vector<LightBound> InOtherUnit(std::vector<LightBound> lights, double scale) {
   for (LightBound& light : lights) {
     light.center = R3::Point{} + scale * FromOrigin(light.center);
@@ -302,7 +302,7 @@ TEST(LightTree, TheUnitOfLengthChangesNoChoice) {
     }
 }
 
-TEST(LightTree, LightsWithoutFallOffIgnoreDistanceAmongOthers) {
+TEST(LightTree, LightsWithoutAttenuationIgnoreDistanceAmongOthers) {
   for (const double distance : {0.1, 1.0, 1e3, 1e9}) {
     std::vector<LightBound> lights{{.center = {0, distance, 0}, .power = 6, .ca = 2, .qa = 0},
                                    {.power = 1, .is_infinite = true}};
@@ -379,12 +379,12 @@ TEST(LightTree, HugeTinyAndCoincidentPlacesAndPowersKeepProbabilitiesWhole) {
     for (int i = 0; i < 5000; i += 99) EXPECT_NEAR(tree.Probability(p, {0, 0, 1}, i), 1.0 / 5000, 1e-4);
 }
 
-TEST(LightTree, WeakLightsBesideStrongOnesAreStillChosen) {
+TEST(LightTree, WeakLightsNextToStrongOnesAreStillChosen) {
   const LightTree tree({{.center = {0, 1, 0}, .power = 1e300}, {.center = {0, 1e9, 0}, .power = 1e-300}});
   EXPECT_GT(tree.Probability({}, {0, 1, 0}, 1), 1e-8);
 }
 
-// Radiance times area may be more than doubles hold.
+// Radiance times area may exceed the range of doubles.
 TEST(LightTree, E11_LightsOfInfinitePowerAreChosenLikeTheStrongest) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const LightBound strong{.center = {0, 1, 0}, .power = infinite}, weak{.center = {0, 1, 1}, .power = 1};

@@ -10,7 +10,7 @@ namespace {
 
 const std::string emissive = "material 0 0 0  0 0 0  0 0 0  0 0 0  2 2 2  1 1 0 ";
 
-/// What a small gray patch of floor at the origin shows of a lamp above it, in mode whitted.
+/// Returns the color of a small gray patch of floor at the origin under a light, in mode whitted.
 statistics::Mean FloorUnder(const std::string& lamp, int lights = -1) {
   const project::Stage stage(project::FromText(
       "camera 0.3 0.4 0  -3 -4 0  0 0 -1  1e-7  0.01 100 point_light 0 0 0  0 9 0  1 0 0 " + emissive +
@@ -22,7 +22,8 @@ statistics::Mean FloorUnder(const std::string& lamp, int lights = -1) {
   return statistics::MeanOverPixels(project::Render(stage, settings).image);
 }
 
-/// The mean cosine at the origin over an upright rectangle at the height h, times kd e, by a sum over its points.
+/// Returns the mean cosine at the origin over an upright rectangle at the height h, times kd e, by a sum over its
+/// points.
 double FloorUnderRectangle(double x0, double x1, double z0, double z1, double h) {
   constexpr int n = 1000;
   double sum = 0;
@@ -34,7 +35,7 @@ double FloorUnderRectangle(double x0, double x1, double z0, double z1, double h)
   return 0.5 * 2 * sum / n / n;
 }
 
-// A fan from the first corner: triangles of very different areas, one of none.
+// A fan from the first corner: triangles of very different areas, one of them degenerate.
 const char* const as_quad = "quad 0  -1 1.5 -1  2 1.5 -1  2 1.5 1  -1 1.5 1";
 const char* const as_polygon =
     "polygon 0 7  -1 1.5 -1  0 1.5 -1  2 1.5 -1  2 1.5 .9  2 1.5 1  1.9 1.5 1  -1 1.5 1";
@@ -74,7 +75,7 @@ TEST(TriangleLamp, PolygonsAreSampledAsEvenlyAsTriangles) {
   const project::Stage stage(project::FromText(emissive + as_polygon));
   const std::vector<TriangleLamp> lamps = TriangleLamps(stage.world, EmissiveMeshes::faces);
   ASSERT_EQ(lamps.size(), 1u);
-  // Strata of equal area: shares of the random numbers' square are shares of the lamp.
+  // Strata of equal area: fractions of the random numbers' square are fractions of the light.
   constexpr int n = 512;
   double x = 0, z = 0;
   for (int i = 0; i < n; ++i)
@@ -107,7 +108,7 @@ TEST(TriangleLamp, KnowsItsAreaItsBoundsAndItsTriangles) {
   EXPECT_EQ(lamp.Describe(), "lamp of 4 emissive triangles, primitives 0 to 3");
 }
 
-// At the end of the range of doubles areas are infinite, and shares of them no numbers.
+// At the end of the range of doubles areas are infinite, and their ratios NaN.
 TEST(TriangleLamp, OfAnySizeGivesFinitePoints) {
   for (const char* size : {"1e-160", "1e160"}) {
     const std::string s = size;

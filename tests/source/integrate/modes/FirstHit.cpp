@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-/// A ball of radius 1 in the middle, another material's far away on the right, seen from 5 away.
+/// A ball of radius 1 in the middle, one of another material far away on the right, seen from a distance of 5.
 project::Stage Balls() {
   return project::Stage(
       project::FromText("camera 0 0 5  0 0 -1  0 1 0  0.5  0.01 100 background 0.25 0.5 0.75 "
@@ -25,13 +25,13 @@ R2::Image Shown(const project::Stage& stage, const char* mode, int side = 33) {
   return project::Render(stage, settings).image;
 }
 
-/// The unit direction of the ray through the middle of a pixel.
+/// Returns the unit direction of the ray through the middle of a pixel.
 R3::Vector Towards(int x, int y, int side) {
   const double tangent = std::tan(0.5);
   return R3::Unit({(2 * (x + 0.5) / side - 1) * tangent, (2 * (y + 0.5) / side - 1) * tangent, -1});
 }
 
-/// The distance along unit d from (0, 0, 5) to the unit ball; NaN beside it.
+/// Returns the distance along unit d from (0, 0, 5) to the unit ball; NaN next to it.
 double Distance(const R3::Vector& d) {
   const double along = -5 * d.z, root = std::sqrt(along * along - 24);
   return along - root;
@@ -48,7 +48,7 @@ TEST(FirstHit, AMaterialsOwnColorIsMultipliedByItsTexture) {
   EXPECT_EQ(shown, (R2::Color{1, 0.25, 0}));
 }
 
-TEST(FirstHit, ShowsWhatGeometrySaysOfABall) {
+TEST(FirstHit, ShowsTheExactPropertiesOfABall) {
   const project::Stage stage = Balls();
   constexpr int side = 33;
   const auto depth = Shown(stage, "depth"), normal = Shown(stage, "normal"), albedo = Shown(stage, "albedo"),
@@ -73,7 +73,7 @@ TEST(FirstHit, ShowsWhatGeometrySaysOfABall) {
       EXPECT_NEAR(normal.At(x, y).r, n.x, 1e-6);
       EXPECT_NEAR(normal.At(x, y).g, n.y, 1e-6);
       EXPECT_NEAR(normal.At(x, y).b, n.z, 1e-6);
-      EXPECT_NEAR(albedo.At(x, y).r, 0.7, 1e-6);  // kd + ks + kt; what it shines is no albedo
+      EXPECT_NEAR(albedo.At(x, y).r, 0.7, 1e-6);  // kd + ks + kt; emission is not part of it
       EXPECT_NEAR(albedo.At(x, y).b, 0.7, 1e-6);
       EXPECT_EQ(id.At(x, y), (R2::Color{0, 0, 0}));
       EXPECT_TRUE(uv.At(x, y).r >= 0 && uv.At(x, y).r <= 1 && uv.At(x, y).g >= 0 && uv.At(x, y).g <= 1);
@@ -134,7 +134,7 @@ TEST(FirstHit, GoochGoesFromCoolToWarmTowardsTheLight) {
   EXPECT_NEAR(warm.b, 0, 1e-6);
   EXPECT_NEAR(cool.g, 0.25 * 0.25, 1e-6);
   EXPECT_NEAR(cool.b, 0.4, 1e-6);
-  // A black one is none: .scn has no other way to say that there is none.
+  // A black light is ignored: .scn cannot say otherwise that there is none.
   const R2::Color dark = seen("point_light 0 0 0  0 0 5  1 0 0");
   EXPECT_EQ(dark, (R2::Color{}));
 }

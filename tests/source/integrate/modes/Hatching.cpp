@@ -20,7 +20,7 @@ RenderSettings Drawing(int samples = 1) {
   return settings;
 }
 
-/// A wall that fills the image and is this bright.
+/// Renders a wall of this brightness that fills the image.
 std::string Wall(double brightness) {
   const std::string b = std::to_string(brightness);
   return "camera 0 0 9  0 0 -1  0 1 0  .4  1 20 ambient " + b + ' ' + b + ' ' + b +

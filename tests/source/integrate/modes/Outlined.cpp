@@ -24,7 +24,7 @@ R2::Image WithOutline(const std::string& scene, double thickness, RenderMode mod
 constexpr const char* white_material =
     "background 1 1 1 ambient 0 0 0 dir_light 0 0 0  0 -1 0 material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0 ";
 
-/// Seen from 10 away, the picture is 10 wide there.
+/// A view from a distance of 10, where the image is 10 wide.
 std::string WhiteScene(const std::string& shapes, const std::string& towards = "0 0 -1  0 1 0") {
   return "camera 0 0 10  " + towards + "  0.4636476090008061  0.01 100 " + white_material + shapes;
 }
@@ -35,8 +35,8 @@ int BlackIn(const R2::Image& image, int x0, int x1, int row) {
   return black;
 }
 
-// The ball is of the background's color: nothing but lines can be seen.
-TEST(Outline, OfABallIsAsWideAsAsked) {
+// The ball has the background's color: only lines are visible.
+TEST(Outline, OfABallHasTheRequestedWidth) {
   for (const double thickness : {1.0, 2.0, 4.0, 8.0}) {
     const R2::Image image = WithOutline(WhiteScene("sphere 0  0 0 0  3"), thickness);
     for (const auto& [x0, x1] : {std::pair{0, outline_side / 2}, {outline_side / 2, outline_side}})
@@ -46,8 +46,8 @@ TEST(Outline, OfABallIsAsWideAsAsked) {
   }
 }
 
-// Slants of up to 62 degrees, beyond which the horizon would be in sight.
-TEST(Outline, IsNowhereOnAPlaneHoweverSlanted) {
+// Slants of up to 62 degrees, beyond which the horizon would be visible.
+TEST(Outline, NeverAppearsOnASlantedPlane) {
   for (const char* normal : {"0 0 1", "1 0 1", "-1.3 .4 1", "0 1.9 1"}) {
     const R2::Image image = WithOutline(WhiteScene("plane 0  0 0 0  " + std::string(normal)), 2);
     for (int row = 0; row < outline_side; ++row) EXPECT_EQ(BlackIn(image, 0, outline_side, row), 0) << normal;
@@ -63,12 +63,12 @@ TEST(Outline, IsDrawnAtCreasesAndAtStepsInDepth) {
                                                 "tri 0  -90 -90 0  0 90 0  -90 90 0"),
                                      2);
   EXPECT_NEAR(BlackIn(step, 0, outline_side, outline_side / 2), 2, 1);
-  // A thousandth apart, there is nothing to be seen.
+  // A thousandth apart is too little for a line.
   const R2::Image flush = WithOutline(WhiteScene("plane 0  0 0 -.001  0 0 1 tri 0  -90 -90 0  0 -90 0  0 90 0"), 2);
   EXPECT_EQ(BlackIn(flush, 0, outline_side, outline_side / 2), 0);
 }
 
-TEST(Outline, GoesOverAnyPictureAndCostsNothingWithoutAWidth) {
+TEST(Outline, AppliesToAnyModeAndCostsNothingWithoutAWidth) {
   const std::string scene = WhiteScene("sphere 0  0 0 0  3 dir_light 1 1 1  0 0 -1");
   for (const RenderMode mode : {RenderMode::whitted, RenderMode::path, RenderMode::gooch, RenderMode::toon}) {
     EXPECT_NEAR(BlackIn(WithOutline(scene, 3, mode), 0, outline_side / 2, outline_side / 2), 3, 1) << NameOf(mode);
@@ -94,7 +94,7 @@ TEST(Outline, IsTheSameInACrop) {
     for (int x = 0; x < 50; ++x) EXPECT_EQ(part.At(x, y), whole.At(x + 10, y + 20));
 }
 
-TEST(Toon, HasAsManyTonesAsAskedAndDarkness) {
+TEST(Toon, HasTheRequestedTonesAndDarkness) {
   for (const int bands : {1, 3, 7}) {
     RenderSettings settings;
     settings.width = settings.height = outline_side;
@@ -110,7 +110,7 @@ TEST(Toon, HasAsManyTonesAsAskedAndDarkness) {
   }
 }
 
-// With exponent 10, V.R is at least .933 where its power is above a half: within 21 degrees, or 10.5 of the normal.
+// With exponent 10, V.R is at least 0.933 where its power is above a half: within 21 degrees, or 10.5 of the normal.
 TEST(Toon, HighlightsAreSpotsWithAnEdge) {
   RenderSettings settings;
   settings.width = settings.height = outline_side;

@@ -19,7 +19,7 @@ Material MaterialOf(const R2::Color& kd, const R2::Color& ks, const R2::Color& k
   return m;
 }
 
-/// A point of a level surface seen from above, from outside or from within.
+/// Returns a point of a level surface seen from above, from outside or from within.
 ShadingPoint PointOf(const Material& material, const R3::Vector& wo, bool entering = true) {
   ShadingPoint p({}, PathState{}, {});
   p.material = &material;
@@ -38,12 +38,12 @@ TraceSettings SettingsOf(bool glossy, bool fresnel = false) {
   return settings;
 }
 
-/// From the angle to the normal and the one around it.
+/// Returns the direction with these angles to the normal and around it.
 R3::Vector Direction(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)};
 }
 
-/// The integral of f over the hemisphere about the normal, by the midpoint rule.
+/// Integrates f over the hemisphere about the normal, by the midpoint rule.
 template <typename F>
 double OverHemisphere(const F& f) {
   constexpr int steps = 400;
@@ -157,14 +157,14 @@ TEST(Bsdf, EvalIsLambertsAndPhongsNormalizedLobes) {
       const double lobe = std::pow(std::max(0.0, Dot(wi, R)), 7) * 8 / (2 * pi);
       EXPECT_NEAR(Bsdf(p, SettingsOf(true)).Eval(wi).r, 0.4 * wi.y / pi + 0.3 * lobe, 1e-13);
       EXPECT_NEAR(Bsdf(p, SettingsOf(false)).Eval(wi).r, 0.4 * wi.y / pi, 1e-15);
-      // The scene language's formula has the same lobe, looked at from the light, without the normalization.
+      // The scene language's formula has the same lobe, seen from the light, without the normalization.
       const R2::Color phong = PhongReflection(p, wi, {2, 2, 2});
       EXPECT_NEAR(phong.b, 2 * (0.2 * wi.y + 0.1 * std::pow(std::max(0.0, Dot(wi, R)), 7)), 1e-13);
     }
   EXPECT_EQ(PhongReflection(p, {0, -1, 0}, {2, 2, 2}), (R2::Color{}));
 }
 
-/// The integral of cos^n from `from` to pi/2, by parts.
+/// Integrates cos^n from `from` to pi/2, by parts.
 double IntegralOfCosine(int n, double from) {
   if (n == 0) return pi / 2 - from;
   if (n == 1) return 1 - std::sin(from);
@@ -172,8 +172,8 @@ double IntegralOfCosine(int n, double from) {
 }
 
 TEST(Bsdf, TheGlossyLobeReflectsKsAboveTheSurface) {
-  // Around the axis that is perpendicular to R and N a direction's longitude alone says whether it is above the
-  // surface, and its cosine with R is that of the longitude times one of the latitude, which cancels.
+  // Around the axis that is perpendicular to R and N, the longitude of a direction alone decides whether it is above
+  // the surface, and its cosine with R is that of the longitude times one of the latitude, which cancels.
   for (const int n : {0, 1, 2, 3, 10, 37})
     for (const double angle : {0.0, 0.3, 0.8, 1.2, 1.5}) {
       const Material m = MaterialOf({}, {0.6, 0.3, 0.1}, {}, n);
@@ -262,7 +262,7 @@ TEST(Bsdf, TotalInternalReflectionWithoutFresnelIsOptional) {
   EXPECT_EQ(SpecularWeightsOf(before, settings).transmitted, glass.kt);
 }
 
-// Interpolated normals of coarse meshes do, near silhouettes.
+// Interpolated normals of coarse meshes face away, near silhouettes.
 TEST(Bsdf, NormalsFacingAwayBendLightNoMoreThanGrazingOnes) {
   const double most = std::acos(1 / 1.5);
   for (const double ir : {1.0001, 1.5})
@@ -276,7 +276,7 @@ TEST(Bsdf, NormalsFacingAwayBendLightNoMoreThanGrazingOnes) {
     }
 }
 
-TEST(Bsdf, AnIndexOfOneLetsTheRayGoOnStraight) {
+TEST(Bsdf, AnIndexOfOneLetsTheRayPassStraight) {
   const Material air = MaterialOf({}, {}, {1, 1, 1}, 10, 1);
   ShadingPoint p = PointOf(air, {0.6, 0.8, 0});
   p.time = 0.25;
@@ -292,7 +292,7 @@ TEST(Bsdf, AnIndexOfOneLetsTheRayGoOnStraight) {
   EXPECT_EQ(next.kind, RayKind::transmission);
 }
 
-TEST(Bsdf, FresnelSplitsWhatIsClearAndKeepsItsSum) {
+TEST(Bsdf, FresnelSplitsTransmissionAndKeepsTheSum) {
   const Material m = MaterialOf({}, {0.1, 0.2, 0.3}, {0.8, 0.7, 0.6});
   for (const double aside : {0.0, 0.5, 0.9, 0.999}) {
     const double cosine = std::sqrt(1 - aside * aside);
@@ -323,8 +323,8 @@ TEST(Extremes, F9_GrazingLightIsAllReflected) {
   }
 }
 
-// At Brewster's angle, whose tangent is n, light polarised along the plane is not reflected at all; what is left is
-// half of that across it: ((1 - n^2) / (1 + n^2))^2 / 2.
+// At Brewster's angle, whose tangent is n, light polarized in the plane of incidence is not reflected at all; the
+// result is half of the reflectance for the other polarization: ((1 - n^2) / (1 + n^2))^2 / 2.
 TEST(FresnelReflectance, AtBrewstersAngleIsOfOnePolarisationAlone) {
   for (const double n : {0.9, 1.33, 1.5, 2.4}) {
     const double across = (1 - n * n) / (1 + n * n);
@@ -355,7 +355,7 @@ TEST(FresnelReflectance, IsASmoothShareAndTheSameFromBothSides) {
         EXPECT_LE(share, last) << "it falls from grazing on";
       }
       last = share;
-      // Light that comes the same way back is split the same: Stokes' relation.
+      // Light along the reverse path is split in the same way: Stokes' relation.
       const double sine_behind = std::sqrt(1 - cosine * cosine) / n;
       EXPECT_NEAR(FresnelReflectance(std::sqrt(1 - sine_behind * sine_behind), n), share, 1e-9) << n << ' ' << cosine;
     }

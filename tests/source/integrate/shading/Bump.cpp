@@ -14,7 +14,7 @@
 namespace ray {
 namespace {
 
-/// A picture that rises from left to right by 1 over its width, `steps` texels wide.
+/// An image that rises from left to right by 1 over its width, `steps` texels wide.
 std::shared_ptr<const Texture> Ramp(int steps) {
   R2::Image image(steps, 2);
   for (int x = 0; x < steps; ++x)
@@ -25,7 +25,7 @@ std::shared_ptr<const Texture> Ramp(int steps) {
   return std::make_shared<const Texture>(Texture{std::move(image)});
 }
 
-/// What rays see of a scene, one at a time.
+/// Traces single rays in a scene.
 class Looking {
  public:
   explicit Looking(Scene scene)
@@ -53,15 +53,15 @@ Scene WithBump(Scene scene, std::shared_ptr<const Texture> bump, double height) 
   return scene;
 }
 
-/// What a ray from straight above sees at (x, 1, z) of a box from -2 to 2, 1 high.
+/// Returns the surface that a ray from straight above hits at (x, 1, z) on a box from -2 to 2, 1 high.
 ShadingPoint SeenFromAbove(double height, double x, double z) {
   const Looking at(WithBump(SceneOf("box 0 -2 0 -2 2 1 2"), Ramp(64), height));
   ShadingPoint surface = *at.Along({{x, 5, z}, {0, -1, 0}});
-  surface.material = nullptr;  // it goes with the scene
+  surface.material = nullptr;  // it is destroyed with the scene
   return surface;
 }
 
-// On the upper face u = 1 - (x + 2) / 4, so a slope of 1 over u falls by 1/4 a length towards +x.
+// On the upper face u = 1 - (x + 2) / 4, so a slope of 1 over u falls by 1/4 per unit of length towards +x.
 TEST(Bump, AnEvenSlopeTiltsTheNormalByItsGradient) {
   for (const double height : {0.5, -0.5, 0.01, 20.0})
     for (const double x : {-1.3, 0.2, 0.9}) {
@@ -71,7 +71,7 @@ TEST(Bump, AnEvenSlopeTiltsTheNormalByItsGradient) {
     }
 }
 
-TEST(Bump, TheSurfaceItselfStaysWhereItIs) {
+TEST(Bump, LeavesTheSurfaceUnchanged) {
   EXPECT_EQ(SeenFromAbove(3, 0.3, 0.4).at.position, SeenFromAbove(1e-9, 0.3, 0.4).at.position);
 }
 
@@ -80,7 +80,7 @@ TEST(Bump, NearAnEdgeThereIsStillANormal) {
   EXPECT_NEAR(Length(surface.N), 1, 1e-12);
 }
 
-/// A picture whose luminance is .6 u + .3 v, but near its edges, where it repeats.
+/// An image whose luminance is 0.6 u + 0.3 v, except near its edges, where it repeats.
 std::shared_ptr<const Texture> SlantedTexture() {
   constexpr int size = 64;
   R2::Image image(size, size);
@@ -92,8 +92,8 @@ std::shared_ptr<const Texture> SlantedTexture() {
   return std::make_shared<const Texture>(Texture{std::move(image)});
 }
 
-/// The normal of the surface moved outward by `height` times that luminance, from where rays find it a little to each
-/// side; nothing where one of them meets nothing or is near an edge of the picture.
+/// Returns the normal of the surface displaced outward by `height` times that luminance, from the hits of rays slightly
+/// to each side; std::nullopt if one of them hits nothing or is near an edge of the image.
 std::optional<R3::Vector> NormalOfMovedSurface(const Looking& at, const ShadingPoint& place, double height,
                                                double step) {
   const R3::Vector n = AsVector(place.at.normal);
@@ -114,10 +114,11 @@ std::optional<R3::Vector> NormalOfMovedSurface(const Looking& at, const ShadingP
 
 struct SizedShape {
   const char* text;
-  double size;  // of the smallest of its curves and sides where rays look
+  double size;  // of the smallest of its curves and sides that rays hit
 };
 
-// Each shape, long ones, and frames that stretch, shear, mirror and move them; the oracle knows only where rays hit.
+// Every shape, including long ones, in frames that stretch, shear, mirror and move them; the oracle uses only the hits
+// of rays.
 TEST(Bump, TheNormalIsThatOfTheDisplacedSurface) {
   for (const auto& [text, size] :
        {SizedShape{"sphere 0  0 0 0  2", 2},
@@ -158,7 +159,7 @@ TEST(Bump, TheNormalIsThatOfTheDisplacedSurface) {
   }
 }
 
-/// A square from -1 to 1 in z = 0 on which the texture repeats so many times, or both coordinates run along x alone.
+/// A square from -1 to 1 in z = 0 on which the texture repeats that many times, or both coordinates run along x alone.
 std::shared_ptr<const R3::Mesh> Tiled(double times, double v_times) {
   R3::MeshData data;
   data.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
@@ -176,7 +177,7 @@ Scene SceneOf(std::shared_ptr<const R3::Mesh> mesh) {
   return scene;
 }
 
-// Wherever a ray falls on a ramp, its slope is the number of repetitions over the width of 2.
+// At any place of a ramp, its slope is the number of repetitions over the width of 2.
 TEST(Bump, SlopesAreRightForOneRepetitionAndForAMillion) {
   for (const double times : {1.0, 3.0, 1024.0, 1450.0, 2896.0, 1e5, 1e6}) {
     const Looking at(WithBump(SceneOf(Tiled(times, times)), Ramp(64), 0.5 / times));
@@ -190,7 +191,7 @@ TEST(Bump, SlopesAreRightForOneRepetitionAndForAMillion) {
   }
 }
 
-// There is no dp/dv then, but the slope along x is still what both coordinates make of it.
+// dp/dv does not exist then, but the slope along x still follows from both coordinates.
 TEST(Bump, BothCoordinatesMayRunTheSameWay) {
   const Looking at(WithBump(SceneOf(Tiled(1, 0)), SlantedTexture(), 1));
   const auto seen = at.Along({{0.2, 0.3, 3}, {0, 0, -1}});
@@ -206,7 +207,7 @@ TEST(Bump, SmoothMeshesTiltTheirNormalsByFaceSlopes) {
   EXPECT_LT(Length(seen->N - Unit(leaning - R3::Vector{0.25, 0, 0})), 1e-8);
 }
 
-/// A ball's pole and a cone's apex face +z, where dp/du has no length and u no direction.
+/// A ball's pole and a cone's apex that face +z, where dp/du has no length and u no direction.
 constexpr std::array with_a_pole{"sphere 0  0 0 0  1",
                                  "begin -1  1 0 0 0  0 0 -1 0  0 1 0 0  0 0 0 1 cone 0  0 0 0  1 1 end"};
 
@@ -244,7 +245,7 @@ struct MappedPlace {
   R3::Point position;
 };
 
-/// What a ray sees of a scene whose last material has that map.
+/// Returns the surface that a ray hits in a scene whose last material has that map.
 std::optional<MappedPlace> LookAtMap(const std::string& shape, const R3::Ray& ray, const R3::Vector& map) {
   const auto s = Looking(WithMap(SceneOf(shape), map)).Along(ray);
   if (!s) return {};
@@ -262,7 +263,7 @@ TEST(NormalMap, TiltsTheNormalAlongUAndV) {
   EXPECT_NEAR(std::abs(along_v.z), 0.6, 1e-6);
 }
 
-// On every shape, a little further along what red tilts towards, u is greater and v equal; for green the other way.
+// On every shape, in the direction of a red tilt u is greater and v equal; for green vice versa.
 TEST(NormalMap, OfEveryShapeLeansToWhereUAndVGrow) {
   for (const char* shape :
        {"sphere 0  0 0 0  1", "box 0  -1 -1 -1  1 1 1", "cylinder 0  0 0 0  1 2", "cone 0  0 0 0  1.5 2",
@@ -292,7 +293,7 @@ TEST(NormalMap, IsTheSameForOneRepetitionAndForAMillion) {
   }
 }
 
-// Where a texture is seen from behind, as on a mirrored half of a model, green still points to where v grows.
+// If a texture is seen from behind, as on a mirrored half of a model, green still points to increasing v.
 TEST(NormalMap, LeansToWhereVGrowsOnAMirroredTexture) {
   const auto seen = Looking(WithMap(SceneOf(Tiled(1, -2)), {0.48, 0.36, 0.8})).Along({{.37, .41, 3}, {0, 0, -1}});
   EXPECT_LT(Length(seen->N - R3::Vector{0.48, -0.36, 0.8}), 1e-7);
@@ -314,7 +315,7 @@ TEST(NormalMap, FromTheInsideIsTheOutsidesTurnedRound) {
   EXPECT_LT(Length(outside->N + inside->N), 1e-5);
 }
 
-TEST(NormalMap, OfBlackTellsNothing) {
+TEST(NormalMap, OfBlackHasNoEffect) {
   const auto seen = LookAtMap("sphere 0  0 0 0  1", {{5, 1, 2}, {-5, -0.9, -1.9}}, {-1, -1, -1});
   EXPECT_LT(Length(seen->N - seen->outward), 1e-12);
 }

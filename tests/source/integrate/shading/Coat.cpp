@@ -22,7 +22,8 @@ TEST(Coat, VarnishIsWithinFourHundredthsOfFresnel) {
     EXPECT_NEAR(Coat(1.5).Reflectance(cosine), FresnelReflectance(cosine, 1 / 1.5), 0.04) << cosine;
 }
 
-// By the midpoint rule: what a white base sends out, over all directions, and what the coat mirrors are together 1.
+// By the midpoint rule: the light that a white base scatters, over all directions, and the light that the coat reflects
+// sum to 1.
 TEST(Coat, AWhiteBaseLosesNothing) {
   for (const double index : coat_indices)
     for (const double out : {0.05, 0.3, 0.7, 1.0}) {
@@ -62,7 +63,7 @@ TEST(Coat, InModeWhittedItMirrorsAFaintImage) {
   const project::Stage stage(CoatedBall("0 0 0", "1 1 1"));
   RenderSettings settings;
   settings.width = settings.height = 1;                                        // straight on
-  EXPECT_NEAR(project::Render(stage, settings).image.At(0, 0).r, 0.04, 1e-8);  // a picture has single precision
+  EXPECT_NEAR(project::Render(stage, settings).image.At(0, 0).r, 0.04, 1e-8);  // an image has single precision
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Reflections that a material blurs whatever the settings.
+// Reflections that a material blurs, regardless of the settings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace ray {
 namespace {
 
-/// Black balls that mirror a floor of stripes, one of them before the other; `more` is of their material.
+/// Black balls that mirror a floor of stripes, one in front of the other; `more` belongs to their material.
 std::string MirrorBalls(const std::string& n, const std::string& more) {
   return "camera 0 1 6  0 -.1 -1  0 1 0  .4  .01 100 background .3 .5 .9 point_light 1 1 1  3 6 5  1 0 0 "
          "material 0 0 0  0 0 0  .6 .7 .8  0 0 0  0 0 0  " +
@@ -29,7 +29,7 @@ RenderResult Glossy(const std::string& scene, const RenderSettings& settings) {
   return project::Render(project::Stage(project::FromText(scene)), settings);
 }
 
-TEST(Gloss, OfTheHighlightsExponentIsWhatTheSettingGlossyDoes) {
+TEST(Gloss, WithTheHighlightsExponentEqualsTheSettingGlossy) {
   for (const RenderMode mode : {RenderMode::whitted, RenderMode::path}) {
     RenderSettings settings = GlossSettings();
     settings.mode = mode;
@@ -43,7 +43,7 @@ TEST(Gloss, OfTheHighlightsExponentIsWhatTheSettingGlossyDoes) {
 TEST(Gloss, HasAnExponentOfItsOwn) {
   RenderSettings settings = GlossSettings(256);
   settings.trace.shadows = false;
-  // Without lights there are no highlights, so n is of no account but with -glossy.
+  // Without lights there are no highlights, so n has no effect except with -glossy.
   const auto without_light = [](std::string scene) { return scene.replace(scene.find("1 1 1  3 6 5"), 5, "0 0 0"); };
   const auto own = Glossy(without_light(MirrorBalls("9", "gloss 0 50 1")), settings).image.Channels();
   settings.trace.glossy = true;
@@ -52,9 +52,9 @@ TEST(Gloss, HasAnExponentOfItsOwn) {
       << "whatever is set";
 }
 
-// All pixels see the same point of a ball, so that they differ by noise alone: 256 rays have a sixteenth of one's where
-// they are random, and less where they are spread evenly.
-TEST(Gloss, OfManyRaysEachIsThePictureOfManySamples) {
+// All pixels see the same point of a ball, so that they differ by noise alone: with 256 random rays, noise is a
+// sixteenth of that of one, and less if they are evenly distributed.
+TEST(Gloss, WithManyRaysEqualsManySamples) {
   RenderSettings settings = GlossSettings(1);
   settings.trace.max_depth = 1;
   const auto seen = [&](const std::string& more, int count) {
@@ -76,7 +76,7 @@ TEST(Gloss, OfManyRaysEachIsThePictureOfManySamples) {
   EXPECT_LT(noise(shared), noise(one) / 12);
 }
 
-TEST(Gloss, OfSoManyRaysTracesSoMany) {
+TEST(Gloss, TracesTheStatedNumberOfRays) {
   RenderSettings settings = GlossSettings(1);
   settings.trace.max_depth = 1;
   const auto rays = [&](const std::string& more) {
@@ -87,7 +87,7 @@ TEST(Gloss, OfSoManyRaysTracesSoMany) {
   EXPECT_NEAR(rays("gloss 0 1000000 7"), 7 * one, 0.01 * 7 * one) << "but for those below the horizon";
 }
 
-TEST(Gloss, IsOnePictureForAnyThreadsAndTiles) {
+TEST(Gloss, IsTheSameImageForAnyThreadsAndTiles) {
   RenderSettings settings = GlossSettings();
   settings.threads = 1;
   const auto wanted = Glossy(MirrorBalls("20", "gloss 0 20 5"), settings).image.Channels();

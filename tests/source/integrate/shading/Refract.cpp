@@ -31,7 +31,7 @@ TEST(Extremes, F3_ExtremeIndicesGiveFiniteDirectionsOrTotalReflection) {
 }
 
 TEST(Extremes, F4_RefractionStopsForGoodAtTheCriticalAngle) {
-  // sin = 1 / eta is the critical sine. Nothing may be NaN, and once rays stop coming out they must not start again.
+  // sin = 1 / eta is the critical sine. Nothing may be NaN, and once rays stop leaving they must not leave again.
   const double eta = 1.5;
   double sine = 1 / eta;
   for (int i = 0; i < 8; ++i) sine = std::nextafter(sine, 0);

@@ -60,8 +60,8 @@ TEST(Absorption, IsOfTheInsideAloneHoweverLongTheDirection) {
 }
 
 TEST(ShadingPoints, InBatchesEqualSingleOnesBitForBit) {
-  // Sizes whose areas or squares leave the range of doubles make the loops give up, and others must not suffer.
-  // What stands still is made as if nothing else moved.
+  // Sizes whose areas or squares leave the range of doubles make the loops give up, without an effect on others. Static
+  // objects are processed as if nothing else moved.
   const auto compare = [](const std::string& s, bool moves) {
     SCOPED_TRACE(s + (moves ? ", beside what moves" : ""));
     const project::Stage stage(project::FromText(
@@ -109,7 +109,7 @@ TEST(ShadingPoints, InBatchesEqualSingleOnesBitForBit) {
     for (const bool moves : {false, true}) compare(size, moves);
 }
 
-TEST(Leaving, IsWhatIsFlatAndOutwardWhatIsConvex) {
+TEST(Leaving, AppliesToFlatAndOutwardOfConvexShapes) {
   const project::Stage stage(
       project::FromText("material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 0 "
                         "tri 0  -1 -1 0  1 -1 0  0 1 0  sphere 0  3 0 0  1  torus 0  6 0 0  1 0.25"));
@@ -125,7 +125,7 @@ TEST(Leaving, IsWhatIsFlatAndOutwardWhatIsConvex) {
     EXPECT_EQ(SpawnRay(flat, {0, 0.1, dz}).leaving_until, R3::infinity);
     EXPECT_EQ(SpawnRay(convex, {0, 1, -dz}).leaving_until, R3::infinity);
     EXPECT_EQ(SpawnRay(other, {0, 0, -dz}).leaving, -1);
-    for (const ShadingPoint* entered : {&convex, &other}) {  // they are met again, but not right there
+    for (const ShadingPoint* entered : {&convex, &other}) {  // they are hit again, but not right there
       const R3::Ray through = SpawnRay(*entered, {0, 0, dz});
       EXPECT_EQ(through.leaving, stage.world.PrimitiveId(entered->hit));
       EXPECT_GT(through.leaving_until, 0);
@@ -138,8 +138,8 @@ TEST(Leaving, IsWhatIsFlatAndOutwardWhatIsConvex) {
   EXPECT_EQ(SpawnRay(inside, {0, 0, 1}).leaving_until, R3::infinity);
 }
 
-// What is known of a departure decides for every surface that is not met at an angle of less than 2^-10, the one that
-// is left among them.
+// The data of a departure decide for every surface that is not hit at an angle of less than 2^-10, including the one
+// that is left.
 TEST(Leaving, ChangesNoAnswerExceptAtGrazingAngles) {
   std::size_t leaving = 0, grazing = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -150,7 +150,7 @@ TEST(Leaving, ChangesNoAnswerExceptAtGrazingAngles) {
     Workspace workspace;
     for (int i = 0; i < 500; ++i) {
       R3::Ray ray{R3::Point{draw.Between(-3, 3), draw.Between(-3, 3), draw.Between(-3, 3)}, draw.Direction()};
-      // Rays look back at where they come from.
+      // Rays look back at their start.
       std::deque<ShadingPoint> points;
       std::deque<R3::Crossed> crossings;
       std::deque<R3::Departure> beyond;
@@ -181,7 +181,7 @@ TEST(Leaving, ChangesNoAnswerExceptAtGrazingAngles) {
 }
 
 TEST(Reaching, OnlyKeepsLampsFromBlockingThemselvesByRounding) {
-  // Lamps of every form, one of them around what it lights, and things in between.
+  // Lights of every form, one of them around the surface that it lights, and objects in between.
   const project::Stage stage(project::FromText(
       "material 0 0 0  1 1 1  0 0 0  0 0 0  2 2 2  10 1 0  material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 0 "
       "sphere 0  0 0 0  9  sphere 0  2 0 0  0.5  tri 0  -2 -1 1  -1 -1 1  -1 1 0  box 0  0 2 0  1 3 1 "

@@ -1,4 +1,4 @@
-// What a specular map multiplies, and what it leaves alone.
+// The effects of a specular map, and the values that it does not change.
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ RenderSettings Small(const std::string& mode) {
   return settings;
 }
 
-/// Shapes in the world and in a group, shiny by `ks` and `more` about their material, under a light and a sky.
+/// Shapes in the world and in a group, shiny by `ks` and with `more` in their material, under a light and a sky.
 std::string ShinyThings(const std::string& ks, const std::string& more) {
   return "camera 0 1 7  0 -.1 -1  0 1 0  .4 .01 100  background .3 .5 .8  ambient .1 .1 .1  dir_light .6 .6 .6  1 -1 "
          "-1 "
@@ -86,7 +86,7 @@ TEST(SpecularMap, ThatIsHalfBlackMirrorsOnOneHalfAlone) {
   }
 }
 
-// kd / pi over the hemisphere and the mirror together lose nothing, so the ball cannot be seen.
+// kd / pi over the hemisphere and the mirror together lose nothing, so the ball is invisible.
 TEST(SpecularMap, LeavesTheDiffuseLobeWhatItTakesFromMirrors) {
   const std::string furnace =
       "background 1 1 1  camera 0 0 6  0 0 -1  0 1 0  .3  .01 100  dir_light 0 0 0 0 0 -1 "
@@ -107,7 +107,7 @@ TEST(SpecularMap, NeverReflectsMoreThanArrives) {
   }
 }
 
-// A recorder is told of surfaces one by one; without one, points are completed and scattered together.
+// A recorder receives surfaces one at a time; without one, points are completed and scattered together.
 TEST(SpecularMap, GivesTheSameBytesTogetherAndOneByOne) {
   for (const std::string more : {"", "gloss 0  30 2", "coat 0  1.4"}) {
     const project::Stage stage = WithMap(ShinyThings(".8 .6 .8", more), Halves(6));

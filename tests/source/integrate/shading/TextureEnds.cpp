@@ -1,4 +1,4 @@
-// What textures show at the ends of v on each shape, as rays see it.
+// Textures at the ends of v on each shape, as rays see them.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-/// Six columns and four rows, no two alike, so that half a turn is a whole number of columns.
+/// Six columns and four rows of different colors, so that half a turn is a whole number of columns.
 std::shared_ptr<const Texture> Patches(int columns = 6) {
   R2::Image image(columns, 4);
   for (int y = 0; y < 4; ++y)
@@ -37,7 +37,7 @@ constexpr const char* poles[] = {"sphere 0  0 0 0  1",
                                  "begin -1  1 0 0 0  0 0 -1 0  0 1 0 0  0 0 0 1 cone 0  0 0 0  1 1 end",
                                  "begin -1  1 0 0 0  0 0 -1 0  0 1 0 0  0 0 0 1 cone 0  0 0 0  3 .1 end"};
 
-// The way over a pole goes on in the same row, half a turn further: nothing jumps.
+// Across a pole, the texture continues in the same row, half a turn further: nothing jumps.
 TEST(TextureEnds, AtAPoleColorsAreThoseOfBothSides) {
   for (const char* shape : poles)
     for (const int columns : {6, 5, 1})
@@ -51,7 +51,7 @@ TEST(TextureEnds, AtAPoleColorsAreThoseOfBothSides) {
       }
 }
 
-// At the pole itself it is the mean of the last row, here and half a turn further; u is 0 there.
+// At the pole itself the color is the mean of the last row, here and half a turn further; u is 0 there.
 TEST(TextureEnds, APoleShowsItsOwnRow) {
   const auto texture = Patches();
   const auto row = [&](int y) {
@@ -72,7 +72,7 @@ TEST(TextureEnds, ARimShowsItsOwnRow) {
   EXPECT_LT(Distance(seen("cone 0  0 0 0  1 2", -1 + 1e-9), texture->image.At(1, 0)), 1e-7);
 }
 
-// Where coordinates say nothing of where a surface ends, and around the tube of a torus, rows repeat.
+// If coordinates do not show where a surface ends, and around the tube of a torus, rows repeat.
 TEST(TextureEnds, ElsewhereTheFirstRowFollowsTheLast) {
   const auto texture = Patches(1);
   const R2::Color both = 0.5 * (texture->image.At(0, 0) + texture->image.At(0, 3));

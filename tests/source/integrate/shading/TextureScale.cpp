@@ -1,4 +1,4 @@
-// Images that repeat by a material's scale are those that repeat by a mesh's texture coordinates.
+// Images that repeat by a material's scale equal those that repeat by a mesh's texture coordinates.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ class ScaledWall {
     folder_.Write("once.obj", Wall(1, 1)), folder_.Write("often.obj", Wall(3, 0.5));
   }
 
-  R2::Image Picture(const std::string& mesh, const std::string& more) const {
+  R2::Image Rendered(const std::string& mesh, const std::string& more) const {
     folder_.Write("in.scn",
                   "camera look_at 0 0 5 0 0 0 0 1 0 50  dir_light 1 1 1 -1 -2 -3\n"
                   "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 10 1 patches.ppm\n" +
@@ -43,8 +43,8 @@ TEST(TextureScale, RepeatsAllImagesAsTextureCoordinatesDo) {
   const ScaledWall wall;
   for (const std::string relief : {"", "bump 0 patches.ppm .2", "normal_map 0 patches.ppm",
                                    "specular_map 0 patches.ppm mirror 0 .6 .6 .6 background .9 .8 .7"}) {
-    const R2::Image plain = wall.Picture("once.obj", relief), often = wall.Picture("often.obj", relief);
-    EXPECT_LT(Farthest(wall.Picture("once.obj", relief + " texture_scale 0 3 .5"), often), 1e-6) << relief;
+    const R2::Image plain = wall.Rendered("once.obj", relief), often = wall.Rendered("often.obj", relief);
+    EXPECT_LT(Farthest(wall.Rendered("once.obj", relief + " texture_scale 0 3 .5"), often), 1e-6) << relief;
     EXPECT_GT(Farthest(plain, often), 0.1) << relief;
   }
 }

@@ -1,4 +1,4 @@
-// Colors of a mesh's vertices multiply kd where the material asks for them.
+// Colors of a mesh's vertices multiply kd if the material requests them.
 
 #include <gtest/gtest.h>
 

@@ -19,7 +19,7 @@ RenderSettings SettingsToForecast(int samples) {
   return settings;
 }
 
-/// The film of a render, as its checkpoint has it, and how many rays that took.
+/// The film of a render, from its checkpoint, and the number of its rays.
 struct FilmToForecast {
   Film film;
   std::uint64_t rays = 0;
@@ -52,9 +52,9 @@ TEST(DenoiseForecast, KnowsNothingOfGuidesBeforeBothStreamsHaveSamples) {
   EXPECT_EQ(forecast.SecondsOfSample(4), 0);
 }
 
-// By the clock, so that only what is far off is a fault: other work may take the processor meanwhile. docs/accuracy.md
-// has how near it comes.
-TEST(DenoiseForecast, IsOfTheSizeOfWhatItTakes) {
+// Measured by the clock, so that only large deviations are faults: other programs may use the processor. See
+// docs/accuracy.md for the accuracy.
+TEST(DenoiseForecast, PredictsTheOrderOfMagnitude) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   const RenderSettings settings = SettingsToForecast(16);

@@ -18,12 +18,12 @@ Pass PassOf(double samples, double error) {
   return pass;
 }
 
-TEST(Forecast, NothingIsForetoldBeforeAnErrorWasMeasured) {
+TEST(Forecast, NothingIsPredictedBeforeAnErrorWasMeasured) {
   EXPECT_FALSE(ForecastOf({}, one));
   EXPECT_FALSE(ForecastOf(std::vector<Pass>(1), one));
 }
 
-TEST(Forecast, OnePassAloneIsTakenForThatOfIndependentSamples) {
+TEST(Forecast, ASinglePassIsExtrapolatedAsIndependentSamples) {
   EXPECT_NEAR(ForecastOf(std::vector{PassOf(16, 3)}, one)->samples, 16 * 9, 1e-9);
 }
 
@@ -36,7 +36,7 @@ TEST(Forecast, AtTheTargetNothingMoreIsNeeded) {
   EXPECT_EQ(ForecastOf(std::vector{PassOf(16, 3), PassOf(64, 0.99)}, one)->samples, 64);
 }
 
-TEST(Forecast, AnErrorThatDoesNotFallIsNeverThere) {
+TEST(Forecast, AnErrorThatDoesNotFallNeverReachesItsTarget) {
   const std::vector passes{PassOf(16, 3), PassOf(64, 3)};
   EXPECT_EQ(ForecastOf(passes, one)->samples, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(ForecastOf(passes, one)->has_stalled) << "only four times the samples";

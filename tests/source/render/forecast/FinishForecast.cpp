@@ -10,20 +10,20 @@
 namespace ray {
 namespace {
 
-/// Each pixel the color of its place.
+/// Returns a film in which each pixel has the color of its place.
 Film Shaded(int side) {
   return TwoPartFilm(side, {1, 0}, FilterKind::box, [](int, int x, int y, std::uint32_t) {
     return FilmSample{{x / 1024.0, y / 1024.0, 0.5}};
   });
 }
 
-TEST(FinishForecast, IsWhatIsKnownWhereNothingCanBeLookedAt) {
+TEST(FinishForecast, WithoutLooksIsTheInitialEstimate) {
   FinishForecast forecast(3, {});
   forecast.Look(Shaded(16), R2::Quantization::rounded);
   EXPECT_EQ(forecast.Seconds(), 3);
 }
 
-TEST(FinishForecast, LooksAtLittleFromAllOverThePicture) {
+TEST(FinishForecast, LooksAtSmallPartsAllOverTheImage) {
   std::int64_t looked_at = 0;
   double lowest = 1, highest = 0;
   FinishForecast forecast(3, [&](const R2::Image& parts) {

@@ -341,7 +341,7 @@ TEST(RenderJob, ClampsTheFirstSampleLikeAllOthers) {
     settings.samples = samples;
     settings.clamp = Clamp::samples;
     const R2::Image whole = Render(scene->world, *scene->accelerator, settings).image;
-    settings.clamp = Clamp::picture;
+    settings.clamp = Clamp::image;
     ASSERT_FALSE(Render(scene->world, *scene->accelerator, settings).image == whole) << "nothing is that bright";
     settings.clamp = Clamp::samples;
     const RenderJob job(scene, settings, Order::coarse_first);

@@ -146,8 +146,8 @@ TEST_F(ViewerTest, ComparingTellsTheDifferenceOfThePictures) {
   EXPECT_GT(difference.rmse, 0);
   EXPECT_NE(viewer_->Message().find("display RMSE"), std::string::npos);
   const FrameState shown = viewer_->Show();
-  ASSERT_TRUE(shown.picture && shown.picture->image);
-  EXPECT_NEAR(shown.picture->image->At(10, 10).r,
+  ASSERT_TRUE(shown.covering && shown.covering->image);
+  EXPECT_NEAR(shown.covering->image->At(10, 10).r,
               std::abs(current->At(10, 10).r - viewer_->Pictures().Reference()->At(10, 10).r), 1e-6);
 }
 
@@ -157,7 +157,7 @@ TEST_F(ViewerTest, FalseColorsRunFromNoDifferenceToTheLargest) {
   const auto current = viewer_->Pictures().Current(), reference = viewer_->Pictures().Reference();
   const R2::Plane numbers = R2::DisplayDifference(*current, *reference, R2::Display::straight);
   const float largest = *std::ranges::max_element(numbers.values);
-  const auto shown = viewer_->Show().picture->image;
+  const auto shown = viewer_->Show().covering->image;
   double brightest = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
@@ -169,7 +169,7 @@ TEST_F(ViewerTest, FalseColorsRunFromNoDifferenceToTheLargest) {
   EXPECT_NE(viewer_->Pictures().ScaleOfComparison().find(Rounded(255 * static_cast<double>(largest), 3)),
             std::string::npos);
   Do("key Control+Up");
-  EXPECT_EQ(viewer_->Show().picture->exposure.factor, 1) << "it changes light, not what stands for a number";
+  EXPECT_EQ(viewer_->Show().covering->exposure.factor, 1) << "it changes light, not what stands for a number";
   Do("key Shift+D");
   const double mean = R2::Mean(
       R2::Flip(R2::Displayed(*current, R2::Display::straight), R2::Displayed(*reference, R2::Display::straight)));
@@ -225,8 +225,8 @@ TEST_F(ViewerTest, AnImageDoesNotDifferFromItsOwnFile) {
     Do("drop picture\nkey D");
     EXPECT_EQ(viewer_->Message(), "0 of 3072 pixels differ as 8 bits");
     const FrameState shown = viewer_->Show();
-    ASSERT_TRUE(shown.picture && shown.picture->image);
-    for (const float channel : shown.picture->image->Channels()) ASSERT_LT(channel, 1e-6F);
+    ASSERT_TRUE(shown.covering && shown.covering->image);
+    for (const float channel : shown.covering->image->Channels()) ASSERT_LT(channel, 1e-6F);
     const double before = bytes.At(3, 4).r;
     bytes.Set(3, 4, {before < 0.5 ? before + 0.2 : before - 0.2, bytes.At(3, 4).g, bytes.At(3, 4).b});
     host_.picture = {std::make_shared<const R2::Image>(bytes), 255};
@@ -268,14 +268,14 @@ TEST_F(ViewerTest, ALiveImageStaysTracedInMotion) {
     viewer_->Handle(MoveEvent{static_cast<double>(x), 20});
     viewer_->Update();
     const FrameState shown = viewer_->Show();
-    ASSERT_TRUE(shown.picture && shown.picture->frame) << x;
+    ASSERT_TRUE(shown.covering && shown.covering->frame) << x;
   }
   Do("up left 60 20\nwait trace");
   EXPECT_EQ(StateLine("trace"), "none");
   const R2::Image whole = Rendered(viewer_->Pictures().Live()->Settings());
   EXPECT_EQ(R2::PixelsBeyond(*viewer_->Pictures().Current(), whole, 0), 0) << "in the end it is of the view at rest";
   Do("resize 80 60");
-  EXPECT_FALSE(viewer_->Show().picture && viewer_->Pictures().Live()->Places() == 0) << "no other size is shown";
+  EXPECT_FALSE(viewer_->Show().covering && viewer_->Pictures().Live()->Places() == 0) << "no other size is shown";
 }
 
 TEST_F(ViewerTest, IsNotBusyWhereNothingIsRendered) {
@@ -286,9 +286,9 @@ TEST_F(ViewerTest, IsNotBusyWhereNothingIsRendered) {
 
 TEST_F(ViewerTest, ShiftRShowsTheReferenceWhileItIsHeld) {
   Do("key P\nwait trace\nkey R\nkey [\nwait trace\npress Shift+R");
-  EXPECT_EQ(viewer_->Show().picture->image, viewer_->Pictures().Reference());
+  EXPECT_EQ(viewer_->Show().covering->image, viewer_->Pictures().Reference());
   Do("release Shift+R");
-  EXPECT_FALSE(viewer_->Show().picture->image);
+  EXPECT_FALSE(viewer_->Show().covering->image);
 }
 
 TEST_F(ViewerTest, RowsOfTheQuadAreThoseOfTheRender) {

@@ -307,7 +307,7 @@ TEST(CrossSection, SaysWhenALineHasTooManyCrossings) {
   EXPECT_LE(cut.crossings.size(), 8u * ray::most_crossings);
 }
 
-TEST(CrossSection, OfNothingIsNothing) {
+TEST(CrossSection, OfAnEmptySceneIsEmpty) {
   const Model model{ray::Scene{}};
   for (const ray::SlicePlane plane : {ray::SlicePlane::xz, ray::SlicePlane::yz, ray::SlicePlane::xy}) {
     const ray::SceneCut cut = model.Cut(plane, {0, 0, 0});

@@ -1,4 +1,4 @@
-#include "source/film/error/PictureError.h"
+#include "source/film/error/ImageError.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::array units{ErrorUnit::display, ErrorUnit::relative, ErrorUnit::decibel, ErrorUnit::linear};
 
-/// A film whose samples are 0.5 plus noise of a known deviation, in two independent parts of a and b samples per pixel.
+/// Returns a film whose samples are 0.5 plus noise of a known deviation, in two independent parts of a and b samples
+/// per pixel.
 Film Noisy(int side, std::uint32_t a, std::uint32_t b, double deviation, std::uint64_t seed,
            FilterKind filter = FilterKind::box) {
   return TwoPartFilm(side, {a, b}, filter, [&](int part, int x, int y, std::uint32_t k) {
@@ -31,7 +32,7 @@ Film Noisy(int side, std::uint32_t a, std::uint32_t b, double deviation, std::ui
   });
 }
 
-TEST(PictureError, IsTrueOnAverageForIndependentParts) {
+TEST(ImageError, IsTrueOnAverageForIndependentParts) {
   // The mean of a + b samples of deviation s has the deviation s / sqrt(a + b); the estimate of its square is unbiased
   // for any shares of the parts.
   for (const auto& [a, b] : {std::pair{4u, 4u}, {1u, 1u}, {6u, 2u}, {1u, 7u}}) {
@@ -49,7 +50,7 @@ TEST(PictureError, IsTrueOnAverageForIndependentParts) {
   }
 }
 
-TEST(PictureError, IsToldInEveryUnit) {
+TEST(ImageError, IsReportedInEveryUnit) {
   const Film film = Noisy(64, 8, 8, 0.1, 3);
   const double truth = 0.1 / 4;  // 16 samples
   const auto estimate = [&](ErrorUnit unit) { return MeasureError(film, {.unit = unit})->estimate.estimate; };
@@ -57,7 +58,7 @@ TEST(PictureError, IsToldInEveryUnit) {
   EXPECT_NEAR(estimate(ErrorUnit::display), 255 * truth, 0.02 * 255 * truth);
   EXPECT_NEAR(estimate(ErrorUnit::relative), 100 * truth / 0.5, 0.02 * 100 * truth / 0.5);
   EXPECT_NEAR(estimate(ErrorUnit::decibel), -20 * std::log10(truth), 0.2);
-  // On an encoded picture the same noise about 0.5 is smaller: the curve's slope there is d(1.055 x^(1/2.4)) / dx.
+  // In an encoded image the same noise about 0.5 is smaller: the curve's slope there is d(1.055 x^(1/2.4)) / dx.
   const double slope = 1.055 / 2.4 * std::pow(0.5, 1 / 2.4 - 1);
   EXPECT_NEAR(MeasureError(film, {.srgb = true})->estimate.estimate, 255 * truth * slope, 0.03 * 255 * truth * slope);
   for (const ErrorUnit unit : units) {
@@ -74,18 +75,18 @@ TEST(PictureError, IsToldInEveryUnit) {
   }
 }
 
-/// By the chi-square distribution of one degree, which is F with very many in the denominator.
+/// Evaluates the chi-square distribution of one degree, which is F with very many in the denominator.
 double NormalQuantile(double p) { return std::sqrt(FQuantile(2 * p - 1, 1, 1e6)); }
 
-/// The mean squared error of an image whose truth is 0.5.
+/// Returns the mean squared error of an image whose truth is 0.5.
 double TrueSquare(const Film& film) {
-  const R2::Image picture = film.Picture();
+  const R2::Image image = film.Image();
   double squares = 0;
-  for (const float channel : picture.Channels()) squares += (channel - 0.5) * (channel - 0.5);
-  return squares / static_cast<double>(picture.Channels().size());
+  for (const float channel : image.Channels()) squares += (channel - 0.5) * (channel - 0.5);
+  return squares / static_cast<double>(image.Channels().size());
 }
 
-TEST(PictureError, TheIntervalHoldsTheErrorAsOftenAsClaimed) {
+TEST(ImageError, TheIntervalContainsTheErrorAsOftenAsStated) {
   for (const double confidence : {0.8, 0.95})
     for (const int side : {8, 32}) {
       int held = 0;
@@ -100,7 +101,7 @@ TEST(PictureError, TheIntervalHoldsTheErrorAsOftenAsClaimed) {
         freedom += measured->estimate.freedom / trials;
       }
       // The interval is made for noise with longer tails than this, which is normal: the logarithm of the ratio has
-      // less variance than it allows for.
+      // less variance than the interval assumes.
       const double inner = std::sqrt(1.4 + 30 / freedom) * NormalQuantile((1 + confidence) / 2);
       const double expected = std::erf(inner / std::numbers::sqrt2);
       const double share = static_cast<double>(held) / trials, noise = std::sqrt(expected * (1 - expected) / trials);
@@ -108,8 +109,8 @@ TEST(PictureError, TheIntervalHoldsTheErrorAsOftenAsClaimed) {
     }
 }
 
-TEST(PictureError, AWideFilterIsMeasuredToo) {
-  // Neighbors share samples then, and the picture is smoother; what is claimed must be what two pictures show.
+TEST(ImageError, AWideFilterIsMeasuredToo) {
+  // Neighbors share samples, and the image is smoother; the estimate must agree with two images.
   for (const FilterKind filter : {FilterKind::gaussian, FilterKind::mitchell, FilterKind::lanczos}) {
     double claimed = 0, shown = 0;
     for (std::uint64_t i = 0; i < 20; ++i) {
@@ -117,14 +118,15 @@ TEST(PictureError, AWideFilterIsMeasuredToo) {
       claimed += MeasureError(film, {.unit = ErrorUnit::linear})->square;
       shown += TrueSquare(film);
     }
-    // Each half is divided by its own weights, which with negative lobes and few samples differ more than those of all:
-    // the claim is then too high (measured: 1.18 for lanczos at 4 + 4 samples at random places), never too low.
+    // Each half is divided by its own weights, which with negative lobes and few samples differ more than those of all
+    // samples. The estimate is then too high (measured: 1.18 for lanczos at 4 + 4 samples at random places), never too
+    // low.
     EXPECT_GT(claimed / shown, 0.95) << filter_names[static_cast<std::size_t>(filter)];
     EXPECT_LT(claimed / shown, 1.25) << filter_names[static_cast<std::size_t>(filter)];
   }
 }
 
-TEST(PictureError, NothingIsKnownBeforeBothPartsHaveSamples) {
+TEST(ImageError, NothingIsKnownBeforeBothPartsHaveSamples) {
   Film film(8, 8, {0, 0, 8, 8}, FilterKind::box);
   EXPECT_FALSE(MeasureError(film, {}));
   film[0].sums[0] = film.EmptySums(0);
@@ -132,13 +134,13 @@ TEST(PictureError, NothingIsKnownBeforeBothPartsHaveSamples) {
   EXPECT_FALSE(MeasureError(film, {}));
 }
 
-TEST(PictureError, DegreesOfFreedomAreTheIndependentChannelsOfItsPixels) {
+TEST(ImageError, DegreesOfFreedomAreTheIndependentChannelsOfItsPixels) {
   const double channels = 3 * 32 * 32;
   EXPECT_NEAR(MeasureError(Noisy(32, 8, 8, 0.1, 1), {.unit = ErrorUnit::linear})->estimate.freedom, channels,
               0.1 * channels);
 }
 
-/// All channels of a pixel alike, noise in every `every`th pixel.
+/// Returns a film with equal channels, with noise in every `every`th pixel.
 Film GrayNoise(int side, int every, double deviation, std::uint64_t seed) {
   return TwoPartFilm(side, {1, 1}, FilterKind::box, [&](int part, int x, int y, std::uint32_t) {
     const RandomKey key = RandomKey(seed).Child(static_cast<std::uint64_t>(y * side + x));
@@ -147,18 +149,18 @@ Film GrayNoise(int side, int every, double deviation, std::uint64_t seed) {
   });
 }
 
-TEST(PictureError, EqualChannelsCountOnceAndNoiselessPixelsNever) {
+TEST(ImageError, EqualChannelsCountOnceAndNoiselessPixelsNever) {
   const auto freedom = [](int every) {
     return MeasureError(GrayNoise(64, every, 0.1, 7), {.unit = ErrorUnit::linear})->estimate.freedom;
   };
-  // Differences of even variables: the mean of their squares is 1 / 6, of their fourth powers 1 / 15, not 3 / 36 as of
-  // normal ones.
+  // Differences of uniform variables: the mean of their squares is 1 / 6, of their fourth powers 1 / 15, not 3 / 36 as
+  // for normal ones.
   const double thin_tails = (3.0 / 36) / (1.0 / 15);
   EXPECT_NEAR(freedom(1), thin_tails * 64 * 64, 0.1 * 64 * 64);
   EXPECT_NEAR(freedom(64), thin_tails * 64, 0.3 * 64);
 }
 
-TEST(PictureError, FewPixelsGiveAWideInterval) {
+TEST(ImageError, FewPixelsGiveAWideInterval) {
   const ErrorMeasure measure{.unit = ErrorUnit::linear};
   const auto ratio = [&](int every) {
     const auto measured = MeasureError(GrayNoise(64, every, 0.1, 7), measure);
@@ -168,8 +170,8 @@ TEST(PictureError, FewPixelsGiveAWideInterval) {
   EXPECT_GT(ratio(512), 1.5);
 }
 
-// 7 and 7 in the two parts show 1 and 1, and their mean is clamped too; 0.2 and 3 show 0.6 on average, and 1 together.
-TEST(PictureError, ClampingCountsAsErrorOnlyWhereItHidesNoise) {
+// Clamped, 7 and 7 in the two parts are 1 and 1, and so is their mean; 0.2 and 3 are 0.6 on average, and 1 together.
+TEST(ImageError, ClampingCountsAsErrorOnlyWhereItHidesNoise) {
   const auto film_of = [](double a, double b) {
     return TwoPartFilm(8, {1, 1}, FilterKind::box, [&](int part, int, int, std::uint32_t) {
       return FilmSample{(part == 0 ? a : b) * R2::Color{1, 1, 1}};
@@ -183,8 +185,8 @@ TEST(PictureError, ClampingCountsAsErrorOnlyWhereItHidesNoise) {
   EXPECT_NEAR(MeasureError(film_of(0.2, 3), {.unit = ErrorUnit::linear})->square, 1.4 * 1.4, 1e-6);
 }
 
-// One pixel of a dark block is found bright by one of the parts alone.
-TEST(PictureError, ClampedLightMayBelongToItsBlockOrARim) {
+// A pixel of a dark block is bright in one of the parts only.
+TEST(ImageError, ClampedLightMayBelongToItsBlockOrARim) {
   const auto square = [](double found, double steady) {
     const Film film = TwoPartFilm(8, {1, 1}, FilterKind::box, [&](int part, int x, int y, std::uint32_t) {
       const double light = x + y == 0 ? part * found : x + y == 14 ? steady : 0;
@@ -192,7 +194,7 @@ TEST(PictureError, ClampedLightMayBelongToItsBlockOrARim) {
     });
     return MeasureError(film, {})->square;
   };
-  const double itself = 0.5;  // a quarter for what differs, and one for the bias of clamping
+  const double itself = 0.5;  // a quarter for the difference, and one for the bias of clamping
   const double cut_in_all = (10.0 - 1) / 64;
   EXPECT_NEAR(square(20, 0), (63 * cut_in_all * cut_in_all + itself) / 64, 1e-6) << "an equal part for each pixel";
   for (const double found : {1e3, 1e6, 1e30}) {
@@ -201,7 +203,7 @@ TEST(PictureError, ClampedLightMayBelongToItsBlockOrARim) {
   }
 }
 
-TEST(PictureError, AnErrorThatDoesNotFallIsTakenAsLarger) {
+TEST(ImageError, AnErrorThatDoesNotFallCountsAsLarger) {
   const Film film = Noisy(32, 4, 4, 0.1, 3);
   const ErrorMeasure measure{.unit = ErrorUnit::linear};
   const auto alone = MeasureError(film, measure);
@@ -218,7 +220,7 @@ TEST(PictureError, AnErrorThatDoesNotFallIsTakenAsLarger) {
   EXPECT_DOUBLE_EQ(after(0.1, 8), 1) << "no samples came";
 }
 
-TEST(PictureError, ASuddenlyVanishedErrorIsPartlyKept) {
+TEST(ImageError, ASuddenlyVanishedErrorIsPartlyKept) {
   const Film film = Noisy(32, 4, 4, 0.1, 3);  // 8 samples per pixel
   const ErrorMeasure measure{.unit = ErrorUnit::linear};
   const auto alone = MeasureError(film, measure);
@@ -230,7 +232,7 @@ TEST(PictureError, ASuddenlyVanishedErrorIsPartlyKept) {
   EXPECT_EQ(after->differences.squares[1], alone->differences.squares[1]);
 }
 
-TEST(PictureError, TheWorstBlockAndTheOutliersAreFound) {
+TEST(ImageError, TheWorstBlockAndTheOutliersAreFound) {
   Film film = Noisy(32, 2, 2, 0.01, 5);
   const int worst = film.BlockOf(20, 12);
   film[worst].sums[0].Add(20, 12, 20.5, 12.5, {100, 100, 100}, film.filter());
@@ -241,7 +243,7 @@ TEST(PictureError, TheWorstBlockAndTheOutliersAreFound) {
   EXPECT_LT(MeasureError(Noisy(32, 2, 2, 0.01, 5), {.unit = ErrorUnit::linear})->estimate.outlier_share, 0.02);
 }
 
-TEST(PictureError, TheIntervalAllowsForLightThatNoSampleHasFound) {
+TEST(ImageError, TheIntervalAllowsForLightThatNoSampleHasFound) {
   const double rule_of_three = std::log(40.0);  // 3.7 with both ends of a 95 % interval
   for (const ErrorUnit unit : {ErrorUnit::display, ErrorUnit::linear}) {
     const ErrorMeasure measure{.unit = unit};
@@ -251,7 +253,7 @@ TEST(PictureError, TheIntervalAllowsForLightThatNoSampleHasFound) {
     EXPECT_EQ(error.estimate.high, before.estimate.high);
     EXPECT_EQ(error.estimate.unseen_share, 0);
     AllowFor({.most = 20, .samples = 4096}, measure, error);
-    // All of it in pixels that are as bright as can be: 1 on a screen, else 20.
+    // All of it in pixels of maximum brightness: 1 on a screen, otherwise 20.
     const double brightest = unit == ErrorUnit::display ? 1 : 20;
     const double unseen = 20 * rule_of_three / 4096 * brightest;
     EXPECT_NEAR(error.square_high, before.square_high + unseen, 1e-12);
@@ -262,7 +264,7 @@ TEST(PictureError, TheIntervalAllowsForLightThatNoSampleHasFound) {
   }
 }
 
-TEST(PictureError, UndetectedLightIsNoBrighterThanAScreen) {
+TEST(ImageError, UndetectedLightIsNoBrighterThanAScreen) {
   MeasuredError error = *MeasureError(Noisy(32, 2, 2, 0.01, 5), {});
   const double before = error.square_high;
   AllowFor({.most = 1e9, .samples = 4096}, {}, error);
@@ -289,28 +291,28 @@ R2::Image WithNoise(const R2::Image& image, double deviation, std::uint64_t seed
 }
 
 TEST(TrueError, OfAConstantOffsetIsThatOffset) {
-  const R2::Image reference = Gray(8, 0.5), picture = Gray(8, 0.625);
-  EXPECT_DOUBLE_EQ(TrueError(picture, reference, nullptr, {.unit = ErrorUnit::linear}), 0.125);
-  EXPECT_DOUBLE_EQ(TrueError(picture, reference, nullptr, {.unit = ErrorUnit::display}), 255 * 0.125);
-  EXPECT_DOUBLE_EQ(TrueError(picture, reference, nullptr, {.unit = ErrorUnit::relative}), 25);
-  EXPECT_DOUBLE_EQ(TrueError(picture, reference, nullptr, {.unit = ErrorUnit::decibel}), -20 * std::log10(0.125));
-  // A screen shows nothing above 1.
+  const R2::Image reference = Gray(8, 0.5), image = Gray(8, 0.625);
+  EXPECT_DOUBLE_EQ(TrueError(image, reference, nullptr, {.unit = ErrorUnit::linear}), 0.125);
+  EXPECT_DOUBLE_EQ(TrueError(image, reference, nullptr, {.unit = ErrorUnit::display}), 255 * 0.125);
+  EXPECT_DOUBLE_EQ(TrueError(image, reference, nullptr, {.unit = ErrorUnit::relative}), 25);
+  EXPECT_DOUBLE_EQ(TrueError(image, reference, nullptr, {.unit = ErrorUnit::decibel}), -20 * std::log10(0.125));
+  // A screen clamps values above 1.
   EXPECT_EQ(TrueError(Gray(8, 7), Gray(8, 1), nullptr, {.unit = ErrorUnit::display}), 0);
   EXPECT_EQ(TrueError(reference, reference, nullptr, {.unit = ErrorUnit::linear}), 0);
   EXPECT_EQ(TrueError(reference, reference, nullptr, {.unit = ErrorUnit::decibel}), HUGE_VAL);
 }
 
 TEST(TrueError, TwoNoisyReferencesRevealTheErrorOneHides) {
-  const R2::Image truth = Gray(128, 0.5), picture = WithNoise(truth, 0.02, 1);
+  const R2::Image truth = Gray(128, 0.5), image = WithNoise(truth, 0.02, 1);
   const R2::Image one = WithNoise(truth, 0.03, 2), two = WithNoise(truth, 0.03, 3);
   const ErrorMeasure linear{.unit = ErrorUnit::linear};
-  EXPECT_NEAR(TrueError(picture, one, nullptr, linear), std::hypot(0.02, 0.03), 0.001);
-  EXPECT_NEAR(TrueError(picture, one, &two, linear), 0.02, 0.001);
-  // Below the noise of the references the product may be negative; that is no error of not a number.
+  EXPECT_NEAR(TrueError(image, one, nullptr, linear), std::hypot(0.02, 0.03), 0.001);
+  EXPECT_NEAR(TrueError(image, one, &two, linear), 0.02, 0.001);
+  // Below the noise of the references the product may be negative; the error is then 0, not NaN.
   EXPECT_GE(TrueError(truth, one, &two, linear), 0);
 }
 
-TEST(ErrorText, SaysTheNumberInItsUnit) {
+TEST(ErrorText, ContainsTheNumberAndItsUnit) {
   EXPECT_EQ(ErrorText(1.25, ErrorUnit::display), "1.25/255");
   EXPECT_EQ(ErrorText(3.1, ErrorUnit::relative), "3.1%");
   EXPECT_EQ(ErrorText(42, ErrorUnit::decibel), "42 dB");

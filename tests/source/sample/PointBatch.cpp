@@ -1,4 +1,4 @@
-#include "source/sample/PointsOfEach.h"
+#include "source/sample/PointBatch.h"
 
 #include <gtest/gtest.h>
 
@@ -18,13 +18,13 @@ std::vector<SampleIndex> SomePaths(std::uint32_t count, int camera_dimensions) {
 const std::array all_kinds{SamplerKind::sobol, SamplerKind::random, SamplerKind::stratified, SamplerKind::grid,
                            SamplerKind::rotated_grid};
 
-TEST(PointsOfEach, EqualThePointsOfEachPath) {
+TEST(PointBatch, EqualThePointsOfEachPath) {
   for (const SamplerKind kind : all_kinds)
     for (const int camera_dimensions : {0, 5})
       for (const std::uint32_t count : {0u, 1u, 7u, 64u}) {
         const auto paths = SomePaths(count, camera_dimensions);
-        PointsOfEach<2> points;
-        GetOfEach(paths, 11, kind, 16, points);
+        PointBatch<2> points;
+        GetBatch(paths, 11, kind, 16, points);
         for (std::uint32_t i = 0; i < count; ++i) {
           const R2::Point alone = paths[i].PointsFor(11, kind, 16).Get2D(paths[i].sample);
           EXPECT_EQ(points.Get2D(i), alone) << sampler_names[static_cast<std::size_t>(kind)] << ", path " << i;
@@ -36,8 +36,8 @@ template <std::size_t size>
 void ExpectPointsOfTheirOwn() {
   for (const SamplerKind kind : all_kinds) {
     const auto paths = SomePaths(61, 3);
-    PointsOfEach<size> points;
-    GetOfEachAlone(paths, 1, kind, 16, points);
+    PointBatch<size> points;
+    GetSeparateBatch(paths, 1, kind, 16, points);
     for (std::size_t i = 0; i < paths.size(); ++i) {
       const auto alone = Points(kind, paths[i].key.Child(1), 16).Get<size>(paths[i].sample);
       for (std::size_t c = 0; c < size; ++c)
@@ -47,7 +47,7 @@ void ExpectPointsOfTheirOwn() {
   }
 }
 
-TEST(PointsOfEach, WithTwoToFiveCoordinatesAlsoEqualThem) {
+TEST(PointBatch, WithTwoToFiveCoordinatesAlsoEqualThem) {
   ExpectPointsOfTheirOwn<2>();
   ExpectPointsOfTheirOwn<3>();
   ExpectPointsOfTheirOwn<4>();

@@ -1,11 +1,11 @@
-#include "source/sample/PointsOfEach.h"
+#include "source/sample/PointBatch.h"
 
 #include "R3/Numeric.h"
 
 namespace ray {
 namespace {
 
-constexpr std::size_t most = PointsOfEach<2>::most;
+constexpr std::size_t most = PointBatch<2>::most;
 constexpr std::size_t lanes = 8;  // of 32 bits each, in the widest vectors that are compiled
 static_assert(most % lanes == 0);
 
@@ -15,7 +15,7 @@ inline double Fraction(std::uint32_t bits) {
 }
 
 inline void CoordinateBatch(int dimension, const std::uint32_t* index, const std::uint32_t* seeds, std::size_t count,
-                             double* coordinates) {
+                            double* coordinates) {
   alignas(64) std::uint32_t bits[most];  // a separate loop, since table lookups are not vectorized
   for (std::size_t i = 0; i < count; ++i) bits[i] = ReversedSobolBits(index[i], dimension);
   for (std::size_t i = 0; i < count; ++i) coordinates[i] = Fraction(ReversedBits(OwenReversed(bits[i], seeds[i])));
@@ -24,7 +24,7 @@ inline void CoordinateBatch(int dimension, const std::uint32_t* index, const std
 /// Computes coordinates c and c + 1, of dimension `first` and the next; their seeds are the halves of one key.
 template <std::size_t c, std::size_t size>
 inline void PairBatch(int first, const std::uint32_t* index, const std::uint64_t* keys, std::size_t count,
-                       PointsOfEach<size>& points) {
+                      PointBatch<size>& points) {
   alignas(64) std::uint32_t high[most], low[most];
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint64_t seeds = RandomKey::FromBits(keys[i]).Child(c / 2).Bits();
@@ -37,8 +37,8 @@ inline void PairBatch(int first, const std::uint32_t* index, const std::uint64_t
 /// Computes the points in loops over numbers of one size each: 64 bits for keys, 32 for the bits of points.
 ///   order_of   the child of a path's key that shuffles its points; `first`: the dimension of their first coordinate
 template <std::size_t size>
-inline void SobolBatch(const SampleIndex* at, std::size_t count, std::uint64_t which, std::uint64_t order_of,
-                        int first, PointsOfEach<size>& points) {
+inline void SobolBatch(const SampleIndex* at, std::size_t count, std::uint64_t which, std::uint64_t order_of, int first,
+                       PointBatch<size>& points) {
   alignas(64) std::uint64_t keys[most];
   alignas(64) std::uint32_t order[most], index[most];
   for (std::size_t i = 0; i < count; ++i) keys[i] = at[i].key.Bits(), index[i] = at[i].sample;
@@ -54,19 +54,18 @@ inline void SobolBatch(const SampleIndex* at, std::size_t count, std::uint64_t w
 }
 
 template <std::size_t size>
-R3_VECTORIZED
-void SobolAlone(const SampleIndex* at, std::size_t count, std::uint64_t which, PointsOfEach<size>& points) {
+R3_VECTORIZED void SobolAlone(const SampleIndex* at, std::size_t count, std::uint64_t which, PointBatch<size>& points) {
   SobolBatch(at, count, which, which, 0, points);
 }
 /// Computes further coordinates of the camera's own points, starting at `dimension`.
 R3_VECTORIZED
 void SobolAfterCamera(const SampleIndex* at, std::size_t count, std::uint64_t which, int dimension,
-                      PointsOfEach<2>& points) {
+                      PointBatch<2>& points) {
   SobolBatch(at, count, which, camera_key, dimension, points);
 }
 
 template <std::size_t size, typename PointsAt>
-void OneAtATime(std::span<const SampleIndex> at, PointsOfEach<size>& points, const PointsAt& points_at) {
+void OneAtATime(std::span<const SampleIndex> at, PointBatch<size>& points, const PointsAt& points_at) {
   for (std::size_t i = 0; i < at.size(); ++i) {
     const std::array<double, size> point = points_at(at[i]).template Get<size>(at[i].sample);
     for (std::size_t c = 0; c < size; ++c) points.coordinates[c][i] = point[c];
@@ -75,8 +74,8 @@ void OneAtATime(std::span<const SampleIndex> at, PointsOfEach<size>& points, con
 
 }  // namespace
 
-void GetOfEach(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind kind, std::uint32_t samples,
-               PointsOfEach<2>& points) {
+void GetBatch(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind kind, std::uint32_t samples,
+              PointBatch<2>& points) {
   if (at.empty()) return;
   if (!UsesSobol(kind))
     return OneAtATime(at, points, [&](const SampleIndex& index) { return index.PointsFor(which, kind, samples); });
@@ -86,14 +85,14 @@ void GetOfEach(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind
 }
 
 template <std::size_t size>
-void GetOfEachAlone(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind kind, std::uint32_t samples,
-                    PointsOfEach<size>& points) {
+void GetSeparateBatch(std::span<const SampleIndex> at, std::uint64_t which, SamplerKind kind, std::uint32_t samples,
+                      PointBatch<size>& points) {
   if (UsesSobol(kind)) return SobolAlone(at.data(), at.size(), which, points);
   OneAtATime(at, points, [&](const SampleIndex& index) { return Points(kind, index.key.Child(which), samples); });
 }
-template void GetOfEachAlone(std::span<const SampleIndex>, std::uint64_t, SamplerKind, std::uint32_t, PointsOfEach<2>&);
-template void GetOfEachAlone(std::span<const SampleIndex>, std::uint64_t, SamplerKind, std::uint32_t, PointsOfEach<3>&);
-template void GetOfEachAlone(std::span<const SampleIndex>, std::uint64_t, SamplerKind, std::uint32_t, PointsOfEach<4>&);
-template void GetOfEachAlone(std::span<const SampleIndex>, std::uint64_t, SamplerKind, std::uint32_t, PointsOfEach<5>&);
+template void GetSeparateBatch(std::span<const SampleIndex>, std::uint64_t, SamplerKind, std::uint32_t, PointBatch<2>&);
+template void GetSeparateBatch(std::span<const SampleIndex>, std::uint64_t, SamplerKind, std::uint32_t, PointBatch<3>&);
+template void GetSeparateBatch(std::span<const SampleIndex>, std::uint64_t, SamplerKind, std::uint32_t, PointBatch<4>&);
+template void GetSeparateBatch(std::span<const SampleIndex>, std::uint64_t, SamplerKind, std::uint32_t, PointBatch<5>&);
 
 }  // namespace ray

@@ -1,4 +1,4 @@
-#include "source/draw/gl/PictureDrawer.h"
+#include "source/draw/gl/ImageDrawer.h"
 
 #include <bit>
 #include <cassert>
@@ -19,22 +19,22 @@ uniform vec3 corners[4];
 uniform mat4 clip_from_drawing;
 out vec2 uv;
 void main() {
-  // The corners go round, a strip goes to and fro.
+  // The corners are in circular order, a strip in zigzag order.
   int corner = gl_VertexID < 2 ? gl_VertexID : 5 - gl_VertexID;
   uv = vec2(corner == 1 || corner == 2, corner >= 2);
   gl_Position = clip_from_drawing * vec4(corners[corner], 1);
 }
 )";
 
-// The byte a channel is shown as is guessed with the curve, then set right by the table of where bytes begin: what is
-// seen is what an image file would hold, whatever the driver's pow() is worth.
+// The displayed byte of a channel is estimated with the curve, then corrected by the table of where bytes begin: the
+// screen shows the bytes of an image file, regardless of the accuracy of the driver's pow().
 constexpr const char* fragment_shader = R"(#version 330 core
 in vec2 uv;
-uniform sampler2D picture;
+uniform sampler2D pixels;
 uniform sampler2D steps;
 uniform float exposure;
 uniform float alpha;
-uniform int srgb, bytes;  // the latter a row of steps
+uniform int srgb, bytes;  // bytes: a row of steps
 uniform int rows;
 out vec4 color;
 
@@ -49,16 +49,16 @@ float Shown(float linear) {
 }
 
 void main() {
-  ivec2 size = textureSize(picture, 0);
+  ivec2 size = textureSize(pixels, 0);
   ivec2 texel = clamp(ivec2(floor(uv * vec2(size))), ivec2(0), size - 1);
   if (texel.y >= rows) discard;
-  vec3 light = exposure * texelFetch(picture, texel, 0).rgb;
+  vec3 light = exposure * texelFetch(pixels, texel, 0).rgb;
   color = vec4(Shown(light.r), Shown(light.g), Shown(light.b), alpha);
 }
 )";
 
 constexpr const char* depths_vertex_shader = R"(#version 330 core
-uniform vec3 directions[3];  // towards the lower left corner; from there to the right edge; and to the upper one
+uniform vec3 directions[3];  // to the lower left corner; from there to the right edge, and to the upper one
 out vec2 uv;
 out vec3 direction;
 void main() {
@@ -71,23 +71,25 @@ void main() {
 constexpr const char* depths_fragment_shader = R"(#version 330 core
 in vec2 uv;
 in vec3 direction;
-uniform sampler2D picture;
+uniform sampler2D pixels;
 uniform vec3 eye;
 uniform float unit;
 uniform mat4 clip_from_drawing;
 void main() {
-  float distance = texture(picture, uv).r / unit;
-  // Behind by the slope of the surface over a pixel, but at outlines, where that is a jump, by 2% at most; and by 1e-3,
-  // 16 steps of a depth buffer of 24 bits whose nearest depth is 1e-3 of the farthest. So lines on a surface are seen.
+  float distance = texture(pixels, uv).r / unit;
+  // Offset by the slope of the surface over a pixel, except at outlines, where that is a jump, limited to 2%; plus
+  // 1e-3, 16 steps of a depth buffer of 24 bits whose nearest depth is 1e-3 of the farthest. So lines on a surface are
+  // visible.
   float behind = distance + min(fwidth(distance), 0.02 * distance) + 1e-3 * distance;
   vec4 clip = clip_from_drawing * vec4(eye + behind * normalize(direction), 1);
   gl_FragDepth = distance > 0.0 ? clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0) : 1.0;
 }
 )";
 
-constexpr GLint picture_unit = 0, steps_unit = 1;
+constexpr GLint image_unit = 0, steps_unit = 1;
 
-/// The least float that is written as `byte` or more. The bits of positive floats are in the order of their values.
+/// Returns the least float that is written as `byte` or more. The bits of positive floats have the order of their
+/// values.
 float FirstOf(int byte, bool srgb, R2::Quantization how) {
   if (byte == 0) return 0;
   const auto reaches = [&](float linear) {
@@ -105,7 +107,7 @@ void UseNearest() { ReadFirstLevel(GL_TEXTURE_2D, GL_NEAREST); }
 
 }  // namespace
 
-PictureDrawer::PictureDrawer() : program_("pictures", vertex_shader, fragment_shader) {
+ImageDrawer::ImageDrawer() : program_("images", vertex_shader, fragment_shader) {
   std::array<float, 1024> steps{};
   for (const auto how : {R2::Quantization::rounded, R2::Quantization::truncated})
     for (int byte = 0; byte < 256; ++byte)
@@ -117,33 +119,33 @@ PictureDrawer::PictureDrawer() : program_("pictures", vertex_shader, fragment_sh
   UseNearest();
 }
 
-std::shared_ptr<GpuPicture> PictureDrawer::Make(int width, int height) const {
+std::shared_ptr<GpuImage> ImageDrawer::Make(int width, int height) const {
   assert(width >= 1 && height >= 1);
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   if (width > most || height > most)
     throw ContextError("cannot show an image of " + std::to_string(width) + " x " + std::to_string(height) +
                        " pixels; the GPU allows " + std::to_string(most) + " per side");
-  auto picture = std::make_shared<GpuPicture>();
-  picture->width = width, picture->height = height;
-  glBindTexture(GL_TEXTURE_2D, picture->texture.Name());
+  auto image = std::make_shared<GpuImage>();
+  image->width = width, image->height = height;
+  glBindTexture(GL_TEXTURE_2D, image->texture.Name());
   const std::vector<float> black(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, black.data());
   UseNearest();
   if (glGetError() == GL_OUT_OF_MEMORY) throw ContextError("out of GPU memory");
-  return picture;
+  return image;
 }
 
-void PictureDrawer::Update(GpuPicture& picture, int first, int count, std::span<const float> rgb) const {
+void ImageDrawer::Update(GpuImage& image, int first, int count, std::span<const float> rgb) const {
   if (count == 0) return;
-  assert(first >= 0 && count > 0 && first + count <= picture.height);
-  assert(rgb.size() == 3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(count));
-  glBindTexture(GL_TEXTURE_2D, picture.texture.Name());
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, picture.width, count, GL_RGB, GL_FLOAT, rgb.data());
+  assert(first >= 0 && count > 0 && first + count <= image.height);
+  assert(rgb.size() == 3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(count));
+  glBindTexture(GL_TEXTURE_2D, image.texture.Name());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, image.width, count, GL_RGB, GL_FLOAT, rgb.data());
 }
 
-void PictureDrawer::Draw(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
-                         const ClipMatrix& clip_from_drawing, const PictureLook& look) const {
+void ImageDrawer::Draw(const GpuImage& image, const std::array<std::array<float, 3>, 4>& corners,
+                       const ClipMatrix& clip_from_drawing, const ImageLook& look) const {
   program_.Use();
   SetMatrix(program_["clip_from_drawing"], clip_from_drawing);
   glUniform3fv(program_["corners"], 4, corners[0].data());
@@ -152,37 +154,37 @@ void PictureDrawer::Draw(const GpuPicture& picture, const std::array<std::array<
   glUniform1i(program_["srgb"], look.srgb ? 1 : 0);
   glUniform1i(program_["bytes"], (look.truncated ? 2 : 0) + (look.srgb ? 1 : 0));
   glUniform1i(program_["rows"], look.rows < 0 ? std::numeric_limits<GLint>::max() : look.rows);
-  glUniform1i(program_["picture"], picture_unit);
+  glUniform1i(program_["pixels"], image_unit);
   glUniform1i(program_["steps"], steps_unit);
   glActiveTexture(GL_TEXTURE0 + steps_unit);
   glBindTexture(GL_TEXTURE_2D, steps_.Name());
-  glActiveTexture(GL_TEXTURE0 + picture_unit);
-  glBindTexture(GL_TEXTURE_2D, picture.texture.Name());
+  glActiveTexture(GL_TEXTURE0 + image_unit);
+  glBindTexture(GL_TEXTURE_2D, image.texture.Name());
   glBindVertexArray(nothing_.Name());
-  glDepthMask(look.alpha >= 1);  // what is behind it is seen through it, whenever it is drawn
+  glDepthMask(look.alpha >= 1);  // its background stays visible, in any order of drawing
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   glDepthMask(GL_TRUE);
 }
 
-void PictureDrawer::DrawFlat(const GpuPicture& picture, const std::array<std::array<float, 3>, 4>& corners,
-                             const PictureLook& look) const {
+void ImageDrawer::DrawFlat(const GpuImage& image, const std::array<std::array<float, 3>, 4>& corners,
+                           const ImageLook& look) const {
   constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  glDisable(GL_DEPTH_TEST);  // which leaves depth unwritten as well
-  Draw(picture, corners, as_it_is, look);
+  glDisable(GL_DEPTH_TEST);  // also disables depth writes
+  Draw(image, corners, as_it_is, look);
   glEnable(GL_DEPTH_TEST);
 }
 
-void PictureDrawer::DrawDepths(const GpuPicture& distances, const PreviewView& view,
-                               const ClipMatrix& clip_from_drawing, double unit) const {
+void ImageDrawer::DrawDepths(const GpuImage& distances, const PreviewView& view, const ClipMatrix& clip_from_drawing,
+                             double unit) const {
   if (!depths_)
-    depths_ = std::make_unique<ShaderProgram>("depths of pictures", depths_vertex_shader, depths_fragment_shader);
+    depths_ = std::make_unique<ShaderProgram>("depths of images", depths_vertex_shader, depths_fragment_shader);
   depths_->Use();
-  glUniform1i((*depths_)["picture"], picture_unit);
+  glUniform1i((*depths_)["pixels"], image_unit);
   glUniform3fv((*depths_)["directions"], 3, view.directions[0].data());
   glUniform3fv((*depths_)["eye"], 1, view.eye.data());
   glUniform1f((*depths_)["unit"], AsFloat(unit));
   SetMatrix((*depths_)["clip_from_drawing"], clip_from_drawing);
-  glActiveTexture(GL_TEXTURE0 + picture_unit);
+  glActiveTexture(GL_TEXTURE0 + image_unit);
   glBindTexture(GL_TEXTURE_2D, distances.texture.Name());
   glBindVertexArray(nothing_.Name());
   glDepthFunc(GL_ALWAYS);
@@ -192,8 +194,8 @@ void PictureDrawer::DrawDepths(const GpuPicture& distances, const PreviewView& v
   glDepthFunc(GL_LEQUAL);
 }
 
-void PictureDrawer::Draw(const GpuPicture& picture, const PictureLook& look) const {
-  DrawFlat(picture, {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, look);
+void ImageDrawer::Draw(const GpuImage& image, const ImageLook& look) const {
+  DrawFlat(image, {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, look);
 }
 
 }  // namespace ray

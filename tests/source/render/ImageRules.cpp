@@ -1,4 +1,4 @@
-// How a picture is made of samples: what is clamped, and how values become bytes.
+// The conversion of samples to an image: clamping, and rounding to bytes.
 #include <gtest/gtest.h>
 
 #include "R2/ImageFile.h"
@@ -7,7 +7,7 @@
 namespace ray {
 namespace {
 
-/// A pixel half of which shines at 4, the other half being black.
+/// Renders a pixel half of which shines at 4; the other half is black.
 R2::Color HalfBright(Clamp clamp) {
   RenderSettings settings;
   settings.width = settings.height = 1;
@@ -21,12 +21,12 @@ R2::Color HalfBright(Clamp clamp) {
       .image.At(0, 0);
 }
 
-TEST(PictureRules, SamplesAreClampedBeforeTheyCountWhereAsked) {
-  EXPECT_EQ(HalfBright(Clamp::picture), (R2::Color{2, 2, 0.25}));
+TEST(ImageRules, SamplesAreClampedBeforeAveragingOnRequest) {
+  EXPECT_EQ(HalfBright(Clamp::image), (R2::Color{2, 2, 0.25}));
   EXPECT_EQ(HalfBright(Clamp::samples), (R2::Color{0.5, 0.5, 0.25}));
 }
 
-TEST(PictureRules, BytesAreRoundedOrTruncated) {
+TEST(ImageRules, BytesAreRoundedOrTruncated) {
   using enum R2::Quantization;
   EXPECT_EQ(R2::ToByte(0.999), 255);
   EXPECT_EQ(R2::ToByte(0.999, truncated), 254);
@@ -37,8 +37,8 @@ TEST(PictureRules, BytesAreRoundedOrTruncated) {
   for (int byte = 0; byte <= 255; ++byte) EXPECT_EQ(R2::ToByte(byte / 255.0, truncated), byte);
 }
 
-// The picture holds floats, which may round a value up to the next byte.
-TEST(PictureRules, ATruncatedByteIsThatOfTheExactValue) {
+// The image contains floats, which may round a value up to the next byte.
+TEST(ImageRules, ATruncatedByteIsThatOfTheExactValue) {
   Film rounded(256, 1, {0, 0, 256, 1}, FilterKind::box);
   const Filter filter(FilterKind::box);
   for (int i = 0; i < rounded.Blocks(); ++i) {
@@ -51,21 +51,21 @@ TEST(PictureRules, ATruncatedByteIsThatOfTheExactValue) {
       block.sums[0].Add(x, 0, x + 0.5, 0.5, {below, x / 255.0, x * (1 - 1e-9) / 255}, filter);
     }
   }
-  const R2::Image picture = rounded.Picture(R2::Quantization::truncated);
+  const R2::Image image = rounded.Image(R2::Quantization::truncated);
   const auto byte = [](double v) { return static_cast<int>(R2::ToByte(v, R2::Quantization::truncated)); };
   for (int x = 1; x < 256; ++x) {
-    const R2::Color c = picture.At(x, 0);
+    const R2::Color c = image.At(x, 0);
     EXPECT_EQ(byte(c.r), byte(std::nextafter(x / 255.0, 0))) << x;
     EXPECT_EQ(byte(c.g), x);
     EXPECT_EQ(byte(c.b), x - 1);
   }
 }
 
-TEST(PictureRules, AShadowBiasLetsNearThingsCastNoShadow) {
+TEST(ImageRules, AShadowBiasLetsNearThingsCastNoShadow) {
   const auto seen = [](const std::string& bias) {
     RenderSettings settings;
     settings.width = settings.height = 1;
-    // A blocker .1 above the floor, which the camera looks at from below it.
+    // A blocker 0.1 above the floor, which the camera sees from below it.
     return project::Render(project::Stage(project::FromText(
                                bias + " camera 0 .05 0  0 -1 0  0 0 1  0.5  0.01 100 dir_light 1 1 1 0 -1 0 "
                                       "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 0 "
@@ -79,11 +79,11 @@ TEST(PictureRules, AShadowBiasLetsNearThingsCastNoShadow) {
   EXPECT_EQ(seen("shadow_bias .3"), 1);
 }
 
-TEST(PictureRules, AShadowBiasHidesNearThingsBehindAnyGlass) {
+TEST(ImageRules, AShadowBiasHidesNearThingsBehindAnyGlass) {
   const auto seen = [](const std::string& bias, const std::string& index) {
     RenderSettings settings;
     settings.width = settings.height = 1;
-    // A lamp .1 behind a pane.
+    // A light 0.1 behind a pane.
     return project::Render(project::Stage(project::FromText(
                                bias +
                                " camera 0 0 5  0 0 -1  0 1 0  .1  0.01 100 point_light 0 0 0  0 0 0  1 0 0 "

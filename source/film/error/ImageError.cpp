@@ -1,4 +1,4 @@
-#include "source/film/error/PictureError.h"
+#include "source/film/error/ImageError.h"
 
 #include <tbb/parallel_for.h>
 
@@ -49,8 +49,8 @@ struct Correlation {
     for (std::size_t i = 0; i < products.size(); ++i) products[i] += o.products[i];
   }
 
-  /// The variance of a squared difference, summed over the channels of a pixel, as a share of its mean square: for
-  /// normally distributed noise 2 / 3 where all channels are one, and 2 / 5 where the three are independent.
+  /// Returns the variance of a squared difference, summed over the channels of a pixel, divided by its mean square. For
+  /// normally distributed noise it is 2 / 3 if all channels are equal, and 2 / 5 if the three are independent.
   double ShareOfVariance() const {
     double live = 0, squares = 0;  // channels with noise; squared correlations of all pairs
     for (std::size_t i = 0; i < 3; ++i) live += products[4 * i] > 0;
@@ -64,27 +64,27 @@ struct Correlation {
   }
 };
 
-/// What the two parts of a film say of its pixels.
+/// The errors of a film's pixels, estimated from its two parts.
 struct PixelErrors {
-  std::vector<float> squares;  // of the region's pixels, the mean of their channels, with the bias of clamping
-  std::vector<double> cut;     // squared errors of blocks by the light that clamping took from their noisy pixels
+  std::vector<float> squares;  // of the region's pixels, averaged over channels, with the bias of clamping
+  std::vector<double> cut;     // squared errors of blocks from the light that clamping took from noisy pixels
   Correlation correlation;
-  R2::Image picture;
+  R2::Image image;
 };
 
-/// The light above what a screen shows, as far as it may be noise: all of it where one of the parts is not too bright,
-/// and none where the mean is by their difference, twice its standard error, since what is steadily too bright is no
-/// error.
+/// Returns the light above the maximum of a screen that may be noise: all of it if one of the parts is not too bright,
+/// and none if the mean exceeds the maximum by the parts' difference, twice its standard error, since light that is too
+/// bright in all samples is no error.
 double CutLight(double mean, double difference) {
   const double excess = std::max(0.0, mean - 1);
   return std::max(0.0, std::min(excess, std::abs(difference) - excess));
 }
 
-/// What clamping took from one channel of a block's pixels.
+/// The light that clamping took from one channel of a block's pixels.
 struct CutOfBlock {
   double light = 0;   // of all pixels that are noisy and too bright
-  double noisy = 0;   // how many these are
-  double steady = 0;  // how many are too bright in both parts
+  double noisy = 0;   // number of these pixels
+  double steady = 0;  // number of pixels that are too bright in both parts
 
   void Add(double mean, double difference) {
     const double of_pixel = CutLight(mean, difference);
@@ -98,7 +98,7 @@ class PixelErrorsOf {
  public:
   PixelErrorsOf(const Film& film, const ErrorMeasure& measure)
       : film_(film), measure_(measure), a_(film.Part(0)), b_(film.Part(1)) {
-    errors_.picture = film.Picture();
+    errors_.image = film.Image();
   }
 
   PixelErrors Sum() && {
@@ -131,7 +131,7 @@ class PixelErrorsOf {
   double Square(int block, int x, int y, Correlation& correlation) const {
     const double n = film_[block].samples[0], m = film_[block].samples[1], share = n / (n + m);
     const Channels a = Seen(a_.At(x, y), measure_), b = Seen(b_.At(x, y), measure_);
-    const Channels both = Seen(errors_.picture.At(x, y), measure_);
+    const Channels both = Seen(errors_.image.At(x, y), measure_);
     const Channels difference{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
     correlation.Add(difference);
     double sum = 0;
@@ -143,16 +143,16 @@ class PixelErrorsOf {
   }
 
   void AddCut(int x, int y, std::array<CutOfBlock, 3>& cut) const {
-    const R2::Color a = a_.At(x, y), b = b_.At(x, y), both = errors_.picture.At(x, y);
+    const R2::Color a = a_.At(x, y), b = b_.At(x, y), both = errors_.image.At(x, y);
     cut[0].Add(both.r, a.r - b.r);
     cut[1].Add(both.g, a.g - b.g);
     cut[2].Add(both.b, a.b - b.b);
   }
 
-  /// The mean squared error of a block whose pixels all miss an equal part of the light that was cut, as far as more of
-  /// it would be seen. Where other pixels are steadily too bright, the noisy ones are the rim of that, and for each of
-  /// them at most one more belongs there: of pixels that something covers by any share alike, about as many are found
-  /// by none of n samples as by one.
+  /// Returns the mean squared error of a block all of whose pixels lack an equal part of the light that was cut, as far
+  /// as it would be visible. If other pixels are too bright in both parts, the noisy ones are their rim, and at most
+  /// one more pixel belongs to it for each of them: among pixels whose covered fraction is uniformly distributed, about
+  /// as many are found by none of n samples as by one.
   double SquareOf(const std::array<CutOfBlock, 3>& cut, const PixelRectangle& pixels) const {
     const auto area = static_cast<double>(pixels.Area());
     const Channels missing{cut[0].light / area, cut[1].light / area, cut[2].light / area};
@@ -160,7 +160,7 @@ class PixelErrorsOf {
     Channels sums{};
     for (int y = pixels.y0; y < pixels.y1; ++y)
       for (int x = pixels.x0; x < pixels.x1; ++x) {
-        const R2::Color c = errors_.picture.At(x - film_.Region().x0, y - film_.Region().y0);
+        const R2::Color c = errors_.image.At(x - film_.Region().x0, y - film_.Region().y0);
         const Channels shown = Seen(c, measure_),
                        full = Seen(c + R2::Color{missing[0], missing[1], missing[2]}, measure_);
         for (std::size_t k = 0; k < 3; ++k) sums[k] += (full[k] - shown[k]) * (full[k] - shown[k]);
@@ -191,19 +191,19 @@ std::vector<double> MeansOfBlocks(const Film& film, const std::vector<float>& sq
   return means;
 }
 
-/// Raises squared errors that fell since `before` as no samples make them fall: then parts agree by chance, as two do
-/// that have both found a light that their samples hardly ever find.
+/// Raises squared errors that fell since `before` faster than more samples can explain. In that case the parts agree by
+/// chance, such as two that both found a light that samples rarely find.
 void KeepFrom(const BlockErrors& before, BlockErrors& now) {
   if (before.IsEmpty()) return;
   for (std::size_t i = 0; i < now.squares.size(); ++i) {
-    // The best sequences let squares of errors fall as samples^-2.3 in scenes/hello.scn; a steeper fall is luck.
+    // With the best sequences, squared errors fall as samples^-2.3 in scenes/hello.scn. A steeper fall is luck.
     const double growth = static_cast<double>(now.samples[i]) / before.samples[i];
     if (growth > 1) now.squares[i] = std::max(now.squares[i], before.squares[i] / (growth * growth * growth));
   }
 }
 
-/// How many times larger squared errors are than if they had fallen as 1 / samples since `before`, over the blocks that
-/// gained any: 1 to 4, where they did not even fall.
+/// Returns the ratio of squared errors to the values that they would have if they had fallen as 1 / samples since
+/// `before`, over the blocks that gained samples; limited to 1 to 4.
 double ExcessOverMonteCarloRate(const BlockErrors& now, const BlockErrors* before, const std::vector<double>& areas) {
   if (!before || before->IsEmpty()) return 1;
   double energy_now = 0, energy_before = 0;
@@ -215,7 +215,7 @@ double ExcessOverMonteCarloRate(const BlockErrors& now, const BlockErrors* befor
   return energy_before > 0 ? std::clamp(energy_now / energy_before, 1.0, 4.0) : 1;
 }
 
-/// Mean over all pixels, from the means of blocks, which may be narrower at the rim of the image.
+/// Returns the mean over all pixels, from the means of blocks, which may be narrower at the rim of the image.
 double MeanOfBlocks(const std::vector<double>& blocks, const std::vector<double>& areas) {
   double total = 0, pixels = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -225,9 +225,9 @@ double MeanOfBlocks(const std::vector<double>& blocks, const std::vector<double>
   return total / pixels;
 }
 
-/// Degrees of freedom of a sum of independent squares with the variance of these, each of which has this share of its
-/// own square as its variance (Satterthwaite, An approximate distribution of estimates of variance components, 1946).
-/// At least those of one pixel: where squares are estimates below 0 too, they may cancel.
+/// Returns the degrees of freedom of a sum of independent squares, the variance of each of which is `share_of_variance`
+/// times its own square (Satterthwaite, An approximate distribution of estimates of variance components, 1946). The
+/// result is at least that of one pixel, since squares may be estimates below 0 that cancel.
 double DegreesOfFreedom(const std::vector<float>& squares, double share_of_variance) {
   double sum = 0, sum_of_squares = 0;
   for (const float square : squares) {
@@ -238,13 +238,13 @@ double DegreesOfFreedom(const std::vector<float>& squares, double share_of_varia
   return 2 / share_of_variance * std::max(1.0, sum * sum / sum_of_squares);
 }
 
-/// Fewer degrees of freedom, for the claim and for the truth each: noise of pixels has longer tails than normal noise,
-/// and where degrees are few, their number is itself uncertain. The numbers are fitted to half of the renders below.
-///   accuracy   on 20 scenes 95% intervals hold 96% of 720 true errors as displayed, 97% of 360 of light; of those
-///              with less than 270 degrees as many as of the others
+/// Reduces the degrees of freedom of the estimate and of the truth: noise of pixels has longer tails than normal noise,
+/// and if degrees are few, their number is itself uncertain. The numbers are fitted to half of the renders below.
+///   accuracy   on 20 scenes 95% intervals contain 96% of 720 true errors as displayed, 97% of 360 of light; the same
+///              fraction of those with less than 270 degrees
 double FreedomOfIntervals(double freedom) { return freedom / std::min(3.0, 1.4 + 30 / freedom); }
 
-/// How much of the sum of all squares is in the largest thousandth of them; estimates below 0 count as 0.
+/// Returns the share of the largest thousandth of the squares in their sum; estimates below 0 count as 0.
 double OutlierShare(std::vector<float> squares) {
   for (float& square : squares) square = std::max(0.0F, square);
   const auto outliers_end = squares.begin() + static_cast<std::ptrdiff_t>((squares.size() + 999) / 1000);
@@ -254,7 +254,7 @@ double OutlierShare(std::vector<float> squares) {
   return in_all > 0 ? in_outliers / in_all : 0;
 }
 
-/// An estimate by the squared errors of blocks; its interval by those of pixels.
+/// Summarizes an error: the estimate from the squared errors of blocks, its interval from those of pixels.
 MeasuredError Summarize(const Film& film, std::vector<double> blocks, const std::vector<float>& squares,
                         double share_of_variance, double mean, const ErrorMeasure& measure) {
   const std::vector<double> areas = film.AreasInRegion();
@@ -310,10 +310,10 @@ std::string ErrorText(double error, ErrorUnit unit) {
   return number + (unit == ErrorUnit::relative ? "" : " ") + ErrorUnitName(unit);
 }
 
-double MeanOf(const R2::Image& picture) {
+double MeanOf(const R2::Image& image) {
   double sum = 0;
-  for (const float channel : picture.Channels()) sum += channel;
-  return picture.Channels().empty() ? 0 : sum / static_cast<double>(picture.Channels().size());
+  for (const float channel : image.Channels()) sum += channel;
+  return image.Channels().empty() ? 0 : sum / static_cast<double>(image.Channels().size());
 }
 
 double SquaredTarget(double target, const ErrorMeasure& measure, double mean) {
@@ -340,22 +340,22 @@ std::optional<MeasuredError> MeasureError(const Film& film, const ErrorMeasure& 
   std::vector<double> blocks = differences.squares;
   for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = std::max(excess * blocks[i], blocks[i] + errors.cut[i]);
   MeasuredError measured = Summarize(film, std::move(blocks), errors.squares, errors.correlation.ShareOfVariance(),
-                                     MeanOf(errors.picture), measure);
+                                     MeanOf(errors.image), measure);
   measured.differences = std::move(differences);
   return measured;
 }
 
-MeasuredError SummarizeErrors(const Film& film, const std::vector<float>& squares, const R2::Image& picture,
+MeasuredError SummarizeErrors(const Film& film, const std::vector<float>& squares, const R2::Image& image,
                               const ErrorMeasure& measure) {
   constexpr double share_where_channels_are_one = 2.0 / 3;
-  return Summarize(film, MeansOfBlocks(film, squares), squares, share_where_channels_are_one, MeanOf(picture), measure);
+  return Summarize(film, MeansOfBlocks(film, squares), squares, share_where_channels_are_one, MeanOf(image), measure);
 }
 
 void AllowFor(const UnseenLight& unseen, const ErrorMeasure& measure, MeasuredError& error) {
   if (!(unseen.most > 0)) return;
   const double mean = unseen.most * -R1::Log((1 - measure.confidence) / 2) / unseen.samples;
-  // The mean square of what is missing is largest where all of it is in as few pixels as can show it, or, where dark
-  // light is shown brighter than it is, where it is in all.
+  // The missing mean square is largest if all of the light falls on the fewest pixels that can show it. If dark light
+  // is displayed brighter than it is, the mean square is largest if the light falls on all pixels.
   const double brightest = IsOfLight(measure.unit) ? unseen.most : 1, spread = AsMeasured(mean, measure);
   const double square = std::max(std::min(mean, brightest) * brightest, spread * spread);
   error.square_high += square;
@@ -363,16 +363,16 @@ void AllowFor(const UnseenLight& unseen, const ErrorMeasure& measure, MeasuredEr
   error.estimate.unseen_share = square / error.square_high;
 }
 
-double TrueError(const R2::Image& picture, const R2::Image& reference, const R2::Image* second,
+double TrueError(const R2::Image& image, const R2::Image& reference, const R2::Image* second,
                  const ErrorMeasure& measure) {
   double sum = 0;
-  for (int y = 0; y < picture.Height(); ++y)
-    for (int x = 0; x < picture.Width(); ++x) {
-      const Channels c = Seen(picture.At(x, y), measure), r = Seen(reference.At(x, y), measure);
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) {
+      const Channels c = Seen(image.At(x, y), measure), r = Seen(reference.At(x, y), measure);
       const Channels s = second ? Seen(second->At(x, y), measure) : r;
       for (std::size_t k = 0; k < 3; ++k) sum += (c[k] - r[k]) * (c[k] - s[k]);
     }
-  return InUnit(sum / (3.0 * picture.Width() * picture.Height()), measure, MeanOf(reference));
+  return InUnit(sum / (3.0 * image.Width() * image.Height()), measure, MeanOf(reference));
 }
 
 }  // namespace ray
