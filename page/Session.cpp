@@ -21,6 +21,7 @@
 #include "source/render/Render.h"
 #include "source/text/Quoting.h"
 #include "page/MemoryFiles.h"
+#include "page/PixelRays.h"
 #include "page/Warnings.h"
 
 /// What a page calls. An instance of the module holds one session: a scene that is open, and an image of it. Several
@@ -33,6 +34,9 @@ using Bytes = std::vector<unsigned char>;
 
 // What instances exchange is of one page, which gave all of them the same scene and options.
 constexpr const char* identity = "page";
+
+// A worker has one thread and takes twice the time of raypro, so images are smaller; all have smooth edges.
+constexpr DefaultImage image_of_page{.side = 512, .samples = 16, .samples_of_a_chosen_size = 16};
 
 struct Session {
   explicit Session(const RenderOptions& asked) : scene(asked), prepared(scene) {}
@@ -100,7 +104,8 @@ void Warn(const std::vector<std::string>& warnings) {
 int Open(const std::vector<std::string>& words) {
   session.reset();  // so that its memory can be used
   Warnings().clear();
-  const auto asked = ReadCommandLine(Program::raypro, words);
+  RenderOptions asked = ReadCommandLine(Program::raypro, words);
+  asked.default_image = image_of_page;
   RefuseOthers(asked);
   auto opened = std::make_unique<Session>(asked);
   const RenderSettings& render = opened->scene.options.render;
@@ -204,10 +209,18 @@ Bytes FileOf(const Session& of, const std::string& name) {
                         of.scene.options.encoding, {});
 }
 
-std::string RaysThrough(const Session& of, int x, int y) {
+/// The rays of a pixel as a tree, and as lines in the image.
+struct PixelRays {
+  std::string tree, lines;
+};
+
+PixelRays RaysThrough(const Session& of, int x, int y) {
   const RenderSettings& render = of.scene.options.render;
   if (x < 0 || y < 0 || x >= render.width || y >= render.height) throw UsageError("the image has no such pixel");
-  return DebugPixel(of.prepared.world, *of.prepared.accelerator, render, x, y);
+  const World& world = of.prepared.world;
+  const Accelerator& accelerator = *of.prepared.accelerator;
+  const PixelTrace trace = TracePixel(world, accelerator, render, x, y);
+  return {RayTree(trace, world, render), RaysInImage(trace, world, accelerator, render)};
 }
 
 }  // namespace
@@ -326,10 +339,13 @@ EXPORT("film") int FilmAs(const char* name) {
   });
 }
 
-/// The text is the tree of rays of a pixel of the whole image, columns from the left and rows from the bottom.
+/// The text is the tree of rays of a pixel of the whole image, columns from the left and rows from the bottom. The bytes
+/// are the same rays as lines in the image, see PixelRays.h.
 EXPORT("debug_pixel") int DebugPixelAt(int x, int y) {
   return Guarded([&] {
-    text = RaysThrough(Opened(), x, y);
+    PixelRays rays = RaysThrough(Opened(), x, y);
+    bytes.assign(rays.lines.begin(), rays.lines.end());
+    text = std::move(rays.tree);
     return status::done;
   });
 }

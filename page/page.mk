@@ -52,14 +52,18 @@ site: web
 web-test: site raypro rayimg
 	@sh page/tests/run.sh $(BUILD)
 
-# Says what is missing before anything is compiled.
-WEB_PACKAGES := clang-22 lld-22 libc++-22-dev-wasm32 libc++abi-22-dev-wasm32 libclang-rt-22-dev-wasm32 wasi-libc
+# Names the packages that are missing before anything is compiled; where no dpkg says which, all of them.
+WEB_PACKAGES := clang-22 lld-22 libc++-22-dev-wasm32 libc++abi-22-dev-wasm32 libclang-rt-22-dev-wasm32 wasi-libc \
+                libhwy-dev nlohmann-json3-dev
+WEB_ABSENT = $(or $(strip $(foreach p,$(WEB_PACKAGES),$(if $(shell dpkg-query -W -f='$${Status}' $(p) 2>/dev/null | \
+               grep 'ok installed'),,$(p)))),$(WEB_PACKAGES))
 WEB_PROBE = echo 'int main() {}' | $(WEB_CXX) $(WEB_TARGET) -include vector -x c++ - -o /dev/null 2>&1 || echo no
-HAS_WEB = $(if $(shell $(WEB_PROBE)),,yes)
+HAS_WEB_HEADERS = $(and $(wildcard $(WEB_HEADERS)/hwy/highway.h),$(wildcard $(WEB_HEADERS)/nlohmann/json.hpp))
+HAS_WEB = $(if $(shell $(WEB_PROBE)),,$(HAS_WEB_HEADERS))
 $(WEB)/flags: $(if $(filter web web-test site,$(MAKECMDGOALS)),$(if $(HAS_WEB),,web-missing))
 .PHONY: web-missing
 web-missing:
-	@echo "the page needs a compiler for WebAssembly: apt-get install $(WEB_PACKAGES)" >&2; exit 1
+	@echo "make web needs a compiler for WebAssembly and headers: apt-get install $(WEB_ABSENT)" >&2; exit 1
 
 $(WEB)/flags: FORCE
 	$(call write,'$(subst ','\'',$(WEB_CXX) $(WEB_CPPFLAGS) $(WEB_FLAGS))')

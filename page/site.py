@@ -20,7 +20,7 @@ import urllib.parse
 
 PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "scenes/README.md", "art/README.md", "tiny/README.md",
          *sorted(str(p) for p in pathlib.Path("docs").rglob("*.md"))]
-WRITEUP = ["writeup/assignment3.html", "writeup/courses.html", "writeup/troubleshooting.html"]
+WRITEUP = sorted(str(p) for p in pathlib.Path("writeup").glob("*.html"))
 COPIED = [("writeup", "*.css"), ("writeup", "*.js"), ("writeup/pictures", "*.jpg"), ("writeup/pictures", "*.png"),
           ("writeup/pictures", "*.svg"), ("art", "*.jpg"), ("art", "*.mp4"), ("docs", "*.jpg"), ("scenes/thumbnails", "*.jpg")]
 MENU = [("Home", "index.html"), ("Try it", "web/index.html"), ("Features", "writeup/assignment3.html"),

@@ -57,7 +57,7 @@ icon=icons/hicolor/scalable/apps/raypro.svg
 put 644 "share/$icon" "$datadir/$icon"
 # With the images that they show, and the scenes by a link. What else they link to stays in the sources.
 docs="README.md LICENSE CHANGELOG.md CITATION.cff CONTRIBUTING.md $(echo docs/*.* docs/notes/*) art/valley.jpg
-  writeup/pictures/pixel.jpg"
+  art/library.jpg writeup/pictures/pixel.jpg"
 find scenes -type f ! -name '.*' > "$work/known"
 for file in $docs; do echo "$file" >> "$work/known"; done
 for file in $docs; do

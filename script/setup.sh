@@ -157,7 +157,7 @@ if [ -n "$now$later" ]; then
 fi
 [ -z "$now" ] || install_packages $now
 build raypro
-run_shown "$build/raypro" scenes/hello.scn "$build/sample.jpg" -width 512 -height 512 -quiet
+run_shown "$build/raypro" scenes/hello.scn "$build/sample.jpg" -quiet
 [ "$only_show" = yes ] || echo "first image: $build/sample.jpg; now rayimg and the viewer"
 [ -z "$later" ] || install_packages $later
 build all
@@ -165,6 +165,6 @@ build all
 [ "$(id -u)" != 0 ] || [ -z "${SUDO_UID-}" ] || run_shown chown -R "$SUDO_UID:${SUDO_GID-}" "$build"
 [ "$only_show" = no ] || exit 0
 echo "ready. Now try:"
-echo "  $build/raypro scenes/first.scn first.png -samples 16"
+echo "  $build/raypro scenes/first.scn first.png"
 [ ! -x "$build/rayview" ] || echo "  $build/rayview scenes/hello.scn"
 echo "  make test"

@@ -136,8 +136,10 @@ export class Engine {
     this.#checked(this.#lend([name], ([at]) => this.exports.film(at)));
     return this.#bytes();
   }
-  debugPixel(x, y) {
+  /// The rays of a pixel: what -debugpixel prints, and for each ray of that [kind, depth, x0, y0, x1, y1, look, ...], its
+  /// lines in the image as page/PixelRays.h says.
+  raysOf(x, y) {
     this.#checked(this.exports.debug_pixel(x, y));
-    return this.#text();
+    return { tree: this.#text(), lines: JSON.parse(new TextDecoder().decode(this.#bytes())) };
   }
 }

@@ -4,6 +4,7 @@ import { isPng, pngOfRgba, ppmOfPng } from "./png.js";
 const $ = (id) => document.getElementById(id);
 const delay = 60; // milliseconds without a key before an edit renders
 const mostWorkers = 8; // at first; each holds the scene in its own memory
+const firstScene = "scenes/hello.scn"; // whose image first.jpg is
 const mostLink = 100_000; // characters; browsers and chats cut longer ones
 
 // --- files: examples, and what the user adds ---
@@ -116,6 +117,7 @@ function optionWords() {
 
 async function render() {
   stop();
+  clearRays();
   const of = Math.max(1, Math.min(64, Number($("workers").value) || 1)),
     name = $("name").value || "scene.scn";
   const now = (job = {
@@ -154,18 +156,19 @@ function take(now, message) {
   else if (message.part !== undefined) collect(now, message);
   else if (message.round) for (const worker of now.workers.slice(1)) worker.postMessage({ round: message.round });
   else if (message.finished) finish(now, message.finished);
-  else if (message.tree) showTree(message);
+  else if (message.rays) showRays(now, message);
   else if (message.file) download(new Blob([message.file]), "pfm");
   else if (message.mistake) fail(now, message);
 }
 
 function opened(now, { opened: region, warnings, index }) {
   if (index === 1) tell(warnings, false);
+  if (index === 1 && pixel && isInside(region, pixel)) now.workers[0].postMessage({ pixel });
   if (now.region) return; // any worker may be the first
   now.region = region;
   const { width, height } = region;
   if ($("image").width !== width || $("image").height !== height) Object.assign($("image"), { width, height });
-  $("image").style.setProperty("--aspect", width / height);
+  $("image").parentElement.style.setProperty("--aspect", width / height);
   now.pixels = $("image").getContext("2d").getImageData(0, 0, width, height);
   setState(now, "rendering");
 }
@@ -203,7 +206,7 @@ function finish(now, ppm) {
 }
 
 function fail(now, { mistake, kind, about }) {
-  if (about === "pixel") return void ($("rays").textContent = mistake);
+  if (about === "pixel") return clearRays(mistake);
   stop();
   tell(mistake, true, now.name);
   setState(now, "failed");
@@ -239,21 +242,25 @@ function mark(messages, name) {
   const places = [...messages.matchAll(/^(.*?):(\d+):(\d+): (?!warning)/gm)]
     .filter(([, file]) => file === name)
     .map(([, , line, column]) => [Number(line) - 1, Number(column) - 1]);
-  const nodes = [];
-  $("scene")
-    .value.split("\n")
-    .forEach((line, i) => {
-      let done = 0;
-      const characters = [...line];
-      for (const [, column] of places.filter(([at]) => at === i).sort((a, b) => a[1] - b[1])) {
-        if (column < done) continue;
-        nodes.push(characters.slice(done, column).join(""));
-        const word = characters.slice(column).join("").match(/^\S*/)[0] || " ";
-        nodes.push(Object.assign(document.createElement("b"), { textContent: word }));
-        done = column + [...word].length;
-      }
-      nodes.push(characters.slice(done).join("") + "\n");
-    });
+  const nodes = [],
+    lines = places.length > 0 ? $("scene").value.split("\n") : [];
+  let text = ""; // up to the next mark: a node for each line would be too many
+  lines.forEach((line, i) => {
+    const columns = places.filter(([at]) => at === i).map(([, column]) => column);
+    if (columns.length === 0) return void (text += line + "\n");
+    let done = 0;
+    const characters = [...line];
+    for (const column of columns.sort((a, b) => a - b)) {
+      if (column < done) continue;
+      const word = characters.slice(column).join("").match(/^\S*/)[0] || " ";
+      nodes.push(text + characters.slice(done, column).join(""));
+      nodes.push(Object.assign(document.createElement("b"), { textContent: word }));
+      text = "";
+      done = column + [...word].length;
+    }
+    text += characters.slice(done).join("") + "\n";
+  });
+  nodes.push(text);
   $("marks").replaceChildren(...nodes);
   scrollMarks();
 }
@@ -263,21 +270,145 @@ function scrollMarks() {
   $("marks").scrollLeft = $("scene").scrollLeft;
 }
 
+let numbered = 0; // lines
 function number() {
   const lines = $("scene").value.split("\n").length;
+  if (lines === numbered) return;
+  numbered = lines;
   $("numbers").textContent = Array.from({ length: lines }, (_, i) => i + 1).join("\n") + "\n\n";
 }
 
 // --- pixels ---
 
+const colorOfKind = ["camera", "shadow", "reflection", "transmission", "diffuse"]; // classes of style.css
+const lookOfLine = ["", "hidden", "beyond", "beyond hidden"];
+const opaqueRays = 60; // more are the fainter, the more there are
+const invitation = $("rays").textContent;
+let pixel = null; // whose rays are shown: [column, row] of the whole image, rows from the bottom
+let chosen = null; // the number of a ray of it that a click or a key has chosen
+
+const isInside = ({ left, bottom, width, height }, [x, y]) =>
+  x >= left && x < left + width && y >= bottom && y < bottom + height;
+
+/// Column and row of the image that is shown, from its upper left corner.
 function askFor(column, row) {
   if (!job?.region || !job.workers[0]) return;
-  job.workers[0].postMessage({ pixel: [job.region.left + column, job.region.bottom + job.region.height - 1 - row] });
+  pixel = [job.region.left + column, job.region.bottom + job.region.height - 1 - row];
+  job.workers[0].postMessage({ pixel });
 }
 
-function showTree({ tree, pixel }) {
-  $("rays").textContent = tree.trimEnd();
-  $("rays").dataset.pixel = pixel.join(" ");
+function clearRays(text = invitation) {
+  chosen = null;
+  $("rays").textContent = text;
+  delete $("rays").dataset.pixel;
+  $("paths").replaceChildren();
+  $("bounces").hidden = true;
+}
+
+function showRays({ region }, { rays, pixel: shown }) {
+  chosen = null;
+  $("rays").replaceChildren(...rowsOf(rays.tree.trimEnd(), rays.lines));
+  $("rays").dataset.pixel = shown.join(" ");
+  drawRays(region, rays.lines, shown);
+  const deepest = rays.lines.reduce((most, [, depth]) => Math.max(most, depth), 0);
+  $("bounces").hidden = deepest === 0;
+  Object.assign($("depth"), { max: deepest, value: deepest });
+  limitDepth();
+}
+
+/// The text in elements, one for each ray, whose lines are indented below its first.
+function rowsOf(tree, lines) {
+  const rows = [];
+  let ray = -1;
+  for (const line of tree.split(/(?<=\n)/)) {
+    const isFirst = /^ +\w+ ray/.test(line) && ray + 1 < lines.length;
+    if (isFirst) {
+      const [kind, depth] = lines[++ray];
+      rows.push(Object.assign(document.createElement("span"), { className: "ray " + colorOfKind[kind] }));
+      Object.assign(rows.at(-1).dataset, { ray, depth });
+    } else if (!rows.at(-1)?.dataset?.ray || !line.startsWith(" ")) {
+      rows.push(document.createElement("span"));
+    }
+    rows.at(-1).append(line);
+  }
+  return rows;
+}
+
+const svg = (name, attributes) => {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  return element;
+};
+
+function drawRays({ left, bottom, width, height }, lines, [column, row]) {
+  const top = bottom + height,
+    drawn = [];
+  lines.forEach(([kind, depth, ...ends], ray) => {
+    const group = svg("g", { class: colorOfKind[kind], "data-ray": ray, "data-depth": depth });
+    const paths = ["", "", "", ""];
+    for (let i = 0; i < ends.length; i += 5)
+      paths[ends[i + 4]] +=
+        `M${ends[i] - left} ${top - ends[i + 1]}L${ends[i + 2] - left} ${top - ends[i + 3]}`;
+    paths.forEach((d, look) => d && group.append(svg("path", { d, class: lookOfLine[look] })));
+    drawn.push(group);
+  });
+  drawn.push(svg("rect", { x: column - left, y: top - 1 - row, width: 1, height: 1 }));
+  $("paths").setAttribute("viewBox", `0 0 ${width} ${height}`);
+  $("paths").style.setProperty("--opacity", Math.max(0.15, Math.min(1, opaqueRays / lines.length)));
+  $("paths").replaceChildren(...drawn);
+}
+
+/// Shows which ray is meant, in the text and in the image.
+function highlight(ray) {
+  for (const element of document.querySelectorAll("[data-ray]"))
+    element.classList.toggle("meant", ray !== null && element.dataset.ray === String(ray));
+  $("paths").classList.toggle("chosen", ray !== null);
+}
+
+function choose(ray) {
+  chosen = ray === chosen ? null : ray;
+  highlight(chosen);
+  scrollToRow(chosen);
+}
+
+function scrollToRow(ray) {
+  const row = $("rays").querySelector(`[data-ray="${ray}"]`);
+  if (!row) return;
+  const box = row.getBoundingClientRect(),
+    pane = $("rays").getBoundingClientRect();
+  if (box.top < pane.top || box.bottom > pane.bottom) $("rays").scrollTop += box.top - pane.top;
+}
+
+function stepRay(event) {
+  const step = { ArrowUp: -1, ArrowDown: 1 }[event.key],
+    last = $("rays").querySelectorAll("[data-ray]").length - 1;
+  if (!step || last < 0) return;
+  event.preventDefault();
+  choose(Math.min(last, Math.max(0, (chosen ?? (step > 0 ? -1 : last + 1)) + step)));
+}
+
+function limitDepth() {
+  const limit = Number($("depth").value);
+  $("depth-shown").textContent = limit === Number($("depth").max) ? "all" : limit;
+  for (const element of document.querySelectorAll("[data-depth]"))
+    element.classList.toggle("deeper", Number(element.dataset.depth) > limit);
+}
+
+function listenToRays() {
+  const rayOf = ({ target }) => target.closest?.("[data-ray]")?.dataset.ray ?? null;
+  for (const place of [$("rays"), $("paths")]) {
+    place.addEventListener("pointerover", (event) => {
+      const ray = rayOf(event);
+      highlight(ray ?? chosen);
+      if (place === $("paths")) scrollToRow(ray);
+    });
+    place.addEventListener("pointerleave", () => highlight(chosen));
+  }
+  $("rays").addEventListener("click", (event) => {
+    if (rayOf(event) !== null) choose(Number(rayOf(event)));
+  });
+  $("rays").addEventListener("keydown", stepRay);
+  $("depth").addEventListener("input", limitDepth);
 }
 
 let cursor = null;
@@ -331,9 +462,16 @@ async function unpack(text) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).text();
 }
 
+/// The part of an address behind #: of an example its name, of other scenes their text.
+async function fragmentOf(name, text, options) {
+  if (text !== examples.files[name])
+    return "text=" + (await pack(JSON.stringify(pixel ? [name, text, options, pixel] : [name, text, options])));
+  return `scene=${name}&options=${options.join(" ")}` + (pixel ? `&pixel=${pixel}` : "");
+}
+
 async function share() {
   const link = new URL(location.href);
-  link.hash = "text=" + (await pack(JSON.stringify([$("name").value, $("scene").value, optionWords()])));
+  link.hash = await fragmentOf($("name").value, $("scene").value, optionWords());
   if (link.href.length > mostLink) return tell("The scene is too long for a link.", true);
   history.replaceState(null, "", link);
   try {
@@ -361,24 +499,26 @@ function setOptions(words) {
   $("more").value = more.join(" ");
 }
 
-function show(name, text, options) {
+function show(name, text, options, at) {
+  $("image").classList.toggle("first", name === firstScene && options.length === 0 && text === examples.files[name]);
   $("name").value = name;
   $("scene").value = text;
   setOptions(options);
   $("scene").scrollTop = $("scene").scrollLeft = 0;
   cursor = null;
+  pixel = /^\d+,\d+$/.test(at) ? String(at).split(",").map(Number) : null;
   number();
   render();
 }
 
-function showExample(name, options) {
+function showExample(name, options, at) {
   const scene = examples.scenes.find((one) => one.name === name);
   if (!scene) return tell(`There is no example ${name}.`, true);
   $("examples").value = name;
-  show(name, examples.files[name], options ?? scene.options);
+  show(name, examples.files[name], options ?? scene.options, at);
 }
 
-/// "#text=..." is a shared scene, "#scene=name&options=..." an example.
+/// "#text=..." is a shared scene, "#scene=name&options=..." an example; "&pixel=column,row" shows the rays of a pixel.
 async function showFragment() {
   const fragment = new URLSearchParams(location.hash.slice(1).replaceAll("+", "%2B"));
   try {
@@ -393,8 +533,9 @@ async function showFragment() {
         .get("options")
         ?.split(" ")
         .filter((word) => word),
+      fragment.get("pixel"),
     );
-  showExample("scenes/hello.scn");
+  showExample(firstScene);
 }
 
 function listModes(lines) {
@@ -466,7 +607,7 @@ function listen() {
   $("png").addEventListener("click", downloadPng);
   $("pfm").addEventListener("click", () => job?.workers[0]?.postMessage({ film: "image.pfm" }));
   $("examples").addEventListener("change", () => showExample($("examples").value));
-  $("image").addEventListener("click", (event) => {
+  $("image").parentElement.addEventListener("click", (event) => {
     const box = $("image").getBoundingClientRect();
     cursor = [
       Math.floor(((event.clientX - box.x) / box.width) * $("image").width),
@@ -475,6 +616,7 @@ function listen() {
     askFor(...cursor);
   });
   $("image").addEventListener("keydown", moveCursor);
+  listenToRays();
   $("files").addEventListener("change", () => addFiles([...$("files").files]));
   $("files").parentElement.addEventListener("keydown", (event) => {
     if (event.key === "Enter" || event.key === " ") $("files").click();

@@ -1,6 +1,6 @@
 // One worker renders one part of an image; the first also joins the parts and answers questions about pixels.
 //   in    {module}  then  {files, scene, options, index, of}  then  {parts}, {round}, {pixel}, {film}
-//   out   {ready}, {opened}, {mistake}, {pass}, {part}, {round}, {finished}, {tree}, {file}
+//   out   {ready}, {opened}, {mistake}, {pass}, {part}, {round}, {finished}, {rays}, {file}
 import { Engine, Mistake } from "./engine.js";
 
 let engine = null,
@@ -57,7 +57,7 @@ async function answer(message) {
     engine.takeRound(message.round);
     await renderRound();
   } else if (message.pixel) {
-    post({ tree: engine.debugPixel(...message.pixel), pixel: message.pixel });
+    post({ rays: engine.raysOf(...message.pixel), pixel: message.pixel });
   } else if (message.film) {
     const file = engine.film(message.film);
     post({ file, name: message.film }, [file]);

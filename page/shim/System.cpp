@@ -5,6 +5,7 @@
 #include "R2/image_files/formats.h"
 #include "page/Warnings.h"
 #include "source/app/Answers.h"
+#include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Resources.h"
 #include "source/film/denoise/OpenImageDenoise.h"
@@ -40,6 +41,9 @@ void PrintError(const std::string& line) { Warnings() += line + "\n"; }
 void PrintWarnings(const std::string& file, std::span<const std::string> warnings) {
   for (const std::string& warning : warnings) PrintError(file + ": warning: " + warning);
 }
+
+// A page names the image that it renders to, so no file beside the scene is looked at.
+std::vector<unsigned char> ReadBytes(const std::string&) { return {}; }
 
 // Requests are refused before they would be answered.
 namespace answer {
@@ -82,7 +86,7 @@ std::vector<unsigned char> Encode(const Image&, const ImageEncoding&, const Imag
 
 }  // namespace
 
-const ImageFormat jpeg_format{"jpeg", {"jpg", "jpeg"}, IsJpeg, SizeOf, Decode, Encode, false};
-const ImageFormat png_format{"png", {"png"}, IsPng, SizeOf, Decode, Encode, false};
+extern const ImageFormat jpeg_format{"jpeg", {"jpg", "jpeg"}, IsJpeg, SizeOf, Decode, Encode, false};
+extern const ImageFormat png_format{"png", {"png"}, IsPng, SizeOf, Decode, Encode, false};
 
 }  // namespace R2

@@ -125,6 +125,10 @@ export class Browser {
     return Buffer.from((await this.send("Page.captureScreenshot", { captureBeyondViewport: whole })).data, "base64");
   }
 
+  move(x, y) {
+    return this.send("Input.dispatchMouseEvent", { type: "mouseMoved", x, y });
+  }
+
   async click(x, y) {
     for (const type of ["mousePressed", "mouseReleased"])
       await this.send("Input.dispatchMouseEvent", { type, x, y, button: "left", clickCount: 1 });

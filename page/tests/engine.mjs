@@ -62,8 +62,8 @@ async function mistakeIn(text, options = [], name = "scene.scn") {
 const hashes = {};
 async function compareBytes(list) {
   for (const { name, options } of list) {
-    hashes[name] = sha(native(name, [...options, ...size]));
-    assert.equal(sha(await inParts(name, [...options, ...size], 1)), hashes[name], name);
+    hashes[name] = sha(native(name, [...size, ...options]));
+    assert.equal(sha(await inParts(name, [...size, ...options], 1)), hashes[name], name);
   }
   writeFileSync(WEB + "/hashes.json", JSON.stringify(hashes));
 }
@@ -94,14 +94,14 @@ test("three engines render what one does", async () => {
     ["-mode", "depth"],
   ])
     assert.equal(
-      sha(await inParts("scenes/hello.scn", [...options, ...size], 3)),
-      sha(native("scenes/hello.scn", [...options, ...size])),
+      sha(await inParts("scenes/hello.scn", [...size, ...options], 3)),
+      sha(native("scenes/hello.scn", [...size, ...options])),
       options.join(" "),
     );
 });
 
 test("a displayed image has raypro's bytes", async () => {
-  const options = ["-srgb", "-samples", "3", ...size];
+  const options = [...size, "-srgb", "-samples", "3"];
   assert.deepEqual(
     Buffer.from(await inParts("scenes/gloss.scn", options, 2, "image.ppm")),
     native("scenes/gloss.scn", options, "ppm"),
@@ -137,9 +137,86 @@ test("a file that is missing is named with the nearest", async () => {
 
 test("a ray tree is that of -debugpixel", async () => {
   const engine = await engineWith();
-  engine.open("scenes/hello.scn", ["-samples", "2"]);
-  const said = execFileSync(RAYPRO, ["scenes/hello.scn", "-samples", "2", "-debugpixel", "150", "90"]).toString();
-  assert.equal(engine.debugPixel(150, 90), said);
+  const options = ["-width", "256", "-height", "256", "-samples", "2"];
+  engine.open("scenes/hello.scn", options);
+  const said = execFileSync(RAYPRO, ["scenes/hello.scn", ...options, "-debugpixel", "150", "90"]).toString();
+  assert.equal(engine.raysOf(150, 90).tree, said);
+});
+
+/// The first lines of each ray in a tree: [kind, indent].
+const rowsOf = (tree) => [...tree.matchAll(/^( +)(\w+) ray/gm)].map(([, indent, kind]) => [kind, indent.length]);
+const kinds = ["camera", "shadow", "reflection", "transmission", "diffuse"];
+
+test("every ray of a tree is a line from where its parent ended", async () => {
+  const [width, height] = [200, 100];
+  for (const options of [
+    ["-mode", "path", "-samples", "3"],
+    ["-projection", "orthographic"],
+    ["-projection", "fisheye"],
+    ["-projection", "cylinder"],
+    ["-projection", "latlong"],
+  ]) {
+    const engine = await engineWith();
+    engine.open("scenes/hello.scn", ["-width", String(width), "-height", String(height), ...options]);
+    for (const [x, y] of [[100, 30], [88, 44], [125, 41]]) {
+      const { tree, lines } = engine.raysOf(x, y);
+      const where = `${options.join(" ")} ${x} ${y}`;
+      assert.deepEqual(lines.map(([kind]) => kinds[kind]), rowsOf(tree).map(([kind]) => kind), where);
+      assert(lines.length > 2, where);
+      for (const [kind, depth, left, bottom, , , look] of lines) {
+        if (kinds[kind] === "camera" || depth > 1 || left === undefined) continue;
+        if (kinds[kind] === "shadow" && depth > 0) continue;
+        // The point that the camera ray hit is seen through its own pixel.
+        assert(left >= x - 0.01 && left <= x + 1.01 && bottom >= y - 0.01 && bottom <= y + 1.01, `${where}: ${left} ${bottom}`);
+        assert(look === 0 || look === 1, where);
+      }
+    }
+  }
+});
+
+test("lines are hidden behind what is nearer, and cut where a shadow ray is blocked", async () => {
+  const engine = await engineWith(
+    new Map([["s.scn", Buffer.from(`camera 0 3 5  0 -.4 -1  0 1 0  .5 .01 100
+point_light 1 1 1  0 .5 4  1 0 0
+material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0
+box 0  -9 -1 -9  9 0 9
+box 0  -1 0 0  1 1 1
+`)]]),
+  );
+  engine.open("s.scn", ["-width", "101", "-height", "101", "-samples", "1"]);
+  const { lines } = engine.raysOf(50, 58);
+  const ends = lines.find(([kind]) => kinds[kind] === "shadow").slice(2);
+  const looks = ends.filter((_, i) => i % 5 === 4);
+  assert.deepEqual([...new Set(looks)].sort(), [0, 1, 2, 3]);
+  assert.equal(looks[0], 0, "it starts where the camera sees");
+  assert.equal(looks.findLast((look) => look < 2), 1, "it is blocked behind the box");
+  assert.equal(looks.at(-1), 2, "it leaves in front of the box");
+  for (let i = 5; i < ends.length; i += 5) assert.deepEqual(ends.slice(i, i + 2), ends.slice(i - 3, i - 1));
+});
+
+test("the stored first image is that of the page's first scene", () => {
+  const options = ["-width", "512", "-height", "512", "-samples", "16"];
+  execFileSync(RAYPRO, ["scenes/hello.scn", folder + "/first.png", "-quiet", ...options]);
+  // The JPEG is off by 2.1/255 (rayimg diff, display RMSE); with one sample in place of 16 it would be by 3.6.
+  const said = execFileSync(RAYIMG, ["diff", folder + "/first.png", WEB + "/first.jpg"]).toString();
+  assert(Number(said.match(/display RMSE +([\d.]+)/)[1]) < 3, said);
+});
+
+test("an image has 512 pixels a side and 16 samples unless the scene or its options say otherwise", async () => {
+  const engine = await engineWith(
+    new Map([
+      ["a.scn", Buffer.from("sphere -1 0 0 0 1\n")],
+      ["b.scn", Buffer.from("set samples 3\nsphere -1 0 0 0 1\n")],
+    ]),
+  );
+  const imageOf = (name, options) => {
+    engine.open(name, options);
+    return engine.raysOf(5, 5).tree.match(/of (\d+ x \d+).*?(?:the mean of (\d+) samples)?$/m).slice(1);
+  };
+  assert.deepEqual(imageOf("a.scn", []), ["512 x 512", "16"]);
+  assert.deepEqual(imageOf("a.scn", ["-width", "20"]), ["20 x 256", "16"]);
+  assert.deepEqual(imageOf("a.scn", ["-samples", "2"]), ["512 x 512", "2"]);
+  assert.deepEqual(imageOf("b.scn", []), ["256 x 256", "3"]);
 });
 
 test("a broken image is refused by its name", async () => {

@@ -19,7 +19,7 @@ after(async () => {
 });
 
 const finished = (state) => `document.body?.dataset.state === "${state}"`;
-const open = async (fragment = "") => {
+const open = async (fragment = "scene=scenes/hello.scn&options=-width 64 -height 64 -samples 1") => {
   await browser.open(server.address + "#" + fragment);
   await browser.until(finished("finished"));
 };
@@ -49,7 +49,7 @@ test("every scene has the bytes of raypro, from two workers", async () => {
   assert(Object.keys(hashes).length >= 40);
   for (const [name, hash] of Object.entries(hashes)) {
     await browser.value(`raypro.showExample(${JSON.stringify(name)},
-      [...raypro.optionsOf(${JSON.stringify(name)}), ...${JSON.stringify(size)}])`);
+      [...${JSON.stringify(size)}, ...raypro.optionsOf(${JSON.stringify(name)})])`);
     await browser.until(finished("finished"));
     assert.equal(await hashOfImage(), hash, name);
   }
@@ -85,7 +85,7 @@ test("a mistake has its place marked and its message shown", async () => {
 });
 
 test("a click shows the tree of -debugpixel", async () => {
-  await open("scene=scenes/hello.scn&options=-width 64 -height 48");
+  await open("scene=scenes/hello.scn&options=-width 64 -height 48 -samples 1");
   const box = await browser.value(
     `document.getElementById("image").getBoundingClientRect().toJSON()`,
   );
@@ -97,6 +97,8 @@ test("a click shows the tree of -debugpixel", async () => {
     "64",
     "-height",
     "48",
+    "-samples",
+    "1",
     "-debugpixel",
     "20",
     "17",
@@ -111,6 +113,97 @@ test("arrow keys and Enter show the rays of a pixel", async () => {
   await browser.key("Enter");
   await browser.until(`document.getElementById("rays").dataset.pixel === "31 23"`);
   assert.match(await textOf("rays"), /^pixel 31 23 of 64 x 48/);
+});
+
+const count = (selector) => browser.value(`document.querySelectorAll(${JSON.stringify(selector)}).length`);
+const middleOf = (selector) =>
+  browser.value(`{ const box = document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect();
+    [box.x + box.width / 2, box.y + box.height / 2]; }`);
+const meant = () =>
+  browser.value(`[...document.querySelectorAll(".meant")].map(e => e.tagName.toLowerCase() + e.dataset.ray)`);
+
+test("the rays of a pixel are in the image, and in a link", async () => {
+  await open("scene=scenes/hello.scn&options=-width 64 -height 48 -samples 1&pixel=40,14");
+  await browser.until(`document.getElementById("rays").dataset.pixel === "40 14"`);
+  const rays = await count("#paths g");
+  assert(rays > 10, `${rays} rays`);
+  assert.equal(await count("#rays .ray"), rays);
+  await browser.value(`document.getElementById("share").click()`);
+  await browser.until(`location.hash.endsWith("&pixel=40,14")`);
+  await type("sphere -1 0 0 0 1\n");
+  await browser.until(finished("finished"));
+  await browser.until(`document.getElementById("rays").dataset.pixel === "40 14"`);
+  assert((await count("#paths g")) < rays, "rays of the old scene are gone");
+  await browser.value(`document.getElementById("share").click()`);
+  await browser.until(`location.hash.startsWith("#text=")`);
+  await browser.open(await browser.value("location.href"));
+  await browser.until(`document.getElementById("rays").dataset.pixel === "40 14"`);
+  await browser.value(`raypro.showExample("scenes/sphere.scn")`);
+  assert.equal(await count("#paths *"), 0);
+  await browser.until(finished("finished"));
+  assert.equal(await count("#paths *"), 0);
+});
+
+test("a row and a line of a ray highlight each other", async () => {
+  await open("scene=scenes/hello.scn&options=-width 64 -height 48 -samples 1 -shadow_samples 1&pixel=50,20");
+  await browser.until(`document.getElementById("rays").dataset.pixel`);
+  await browser.value(`document.querySelector('#rays [data-ray="1"]').scrollIntoView()`);
+  await browser.move(...(await middleOf(`#rays [data-ray="1"]`)));
+  assert.deepEqual(await meant(), ["g1", "span1"].toSorted());
+  // A point of a line that is within the image.
+  await browser.value(`document.getElementById("image").scrollIntoView()`);
+  const [x, y, ray] = await browser.value(`{
+    const found = [];
+    for (const path of document.querySelectorAll("#paths path"))
+      for (let share = 0.1; share < 1; share += 0.1) {
+        const at = path.getPointAtLength(path.getTotalLength() * share);
+        const on = new DOMPoint(at.x, at.y).matrixTransform(path.getScreenCTM());
+        const group = document.elementFromPoint(on.x, on.y)?.closest("#paths g");
+        if (group) found.push([on.x, on.y, group.dataset.ray]);
+      }
+    found.at(-1); }`);
+  await browser.move(x, y);
+  assert.deepEqual((await meant()).toSorted(), [`g${ray}`, `span${ray}`]);
+  await browser.value(`document.getElementById("rays").focus()`);
+  await browser.move(1, 1);
+  assert.deepEqual(await meant(), []);
+  for (const key of ["ArrowDown", "ArrowDown"]) await browser.key(key);
+  assert.deepEqual((await meant()).toSorted(), ["g1", "span1"]);
+});
+
+test("a slider limits the bounces that are shown", async () => {
+  await open("scene=scenes/hello.scn&options=-width 64 -height 48 -samples 1&pixel=50,20");
+  await browser.until(`document.getElementById("rays").dataset.pixel`);
+  const limit = (depth) =>
+    browser.value(`{ const e = document.getElementById("depth"); e.value = ${depth};
+      e.dispatchEvent(new Event("input")); document.getElementById("depth-shown").textContent; }`);
+  const deepest = Number(await browser.value(`document.getElementById("depth").max`));
+  assert(deepest >= 2, `${deepest} bounces`);
+  const all = await count("#paths g");
+  assert.equal(await limit(deepest), "all");
+  assert.equal(await count("#paths g.deeper"), 0);
+  assert.equal(await limit(0), "0");
+  assert.equal((await count("#paths g.deeper")) + (await count(`#paths g[data-depth="0"]`)), all);
+  assert((await count("#paths g.deeper")) > 0);
+});
+
+test("the page starts with an image that is stored", async () => {
+  await browser.open(server.address);
+  await browser.until(`document.getElementById("image")?.classList.contains("first")`);
+  await browser.until(finished("finished"));
+  assert.equal(await browser.value(`getComputedStyle(document.getElementById("image")).backgroundImage.includes("first.jpg")`), true);
+  await browser.open(server.address + "#scene=scenes/sphere.scn");
+  await browser.until(`document.getElementById("image")`);
+  assert.equal(await count("#image.first"), 0);
+});
+
+test("a scene of 200,000 lines is edited, and its mistake marked", async () => {
+  await open("scene=scenes/sphere.scn&options=-width 16 -height 16 -samples 1");
+  await type("# a line\n".repeat(200_000) + "sphere -1 0 0 0 -1\n");
+  await browser.until(finished("failed"));
+  assert.match(await textOf("messages"), /scenes\/sphere\.scn:200001:17: /);
+  assert.equal(await count("#marks b"), 1);
+  assert.deepEqual(browser.errors, []);
 });
 
 test("Ctrl-Enter renders, and a link brings the scene back", async () => {
@@ -175,7 +268,7 @@ test("a deep scene renders", async () => {
 
 test("no width scrolls sideways, and everything has a name", async () => {
   for (const width of [360, 390, 768, 1280, 2560]) {
-    await browser.open(server.address, { width });
+    await browser.open(server.address + "#scene=scenes/hello.scn&options=-samples 1", { width });
     await browser.until(finished("finished"));
     assert((await browser.value("document.documentElement.scrollWidth")) <= width, `${width} pixels`);
   }

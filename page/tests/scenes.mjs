@@ -6,7 +6,7 @@ import { isPng, ppmOfPng } from "../browser/png.js";
 const leftOut = /thumbnails|README|many_lights|depth\.txt/;
 const isYaml = ({ name }) => /\.ya?ml$/.test(name);
 
-export const size = ["-width", "64", "-height", "48"];
+export const size = ["-width", "64", "-height", "48", "-samples", "1"];
 
 async function read(folder, files) {
   for (const name of readdirSync(folder).sort()) {

@@ -178,11 +178,15 @@ std::string RayTree(const PixelTrace& trace, const World& world, const RenderSet
          TreeWriter(trace, world, most_rays, digits).Write();
 }
 
+PixelTrace TracePixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
+                      int row) {
+  const int streams = StreamsOf(settings), samples = streams * std::max(1, settings.samples / streams);
+  return PixelTracer(world, accelerator, settings).Trace(column, row, samples);
+}
+
 std::string DebugPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
                        int row, Digits digits) {
-  const int streams = StreamsOf(settings), samples = streams * std::max(1, settings.samples / streams);
-  return RayTree(PixelTracer(world, accelerator, settings).Trace(column, row, samples), world, settings,
-                 most_rays_of_tree, digits);
+  return RayTree(TracePixel(world, accelerator, settings, column, row), world, settings, most_rays_of_tree, digits);
 }
 
 }  // namespace ray

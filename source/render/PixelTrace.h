@@ -51,6 +51,11 @@ inline constexpr std::size_t most_rays_of_tree = 1000;
 std::string RayTree(const PixelTrace& trace, const World& world, const RenderSettings& settings,
                     std::size_t most_rays = most_rays_of_tree, Digits digits = Digits::five);
 
+/// Traces all samples of a pixel of the whole image. If an error or a time limit ends the render, these are the most
+/// that it may take.
+PixelTrace TracePixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,
+                      int row);
+
 /// Describes all samples of one pixel to the user. If an error or a time limit ends the render, these are the most that
 /// it may take.
 std::string DebugPixel(const World& world, const Accelerator& accelerator, const RenderSettings& settings, int column,

@@ -28,6 +28,14 @@ struct CheckpointOptions {
   bool resume = false, restart = false, keep = false;
 };
 
+/// The image of a scene that sets neither size nor samples. If the command line chooses the size, what it leaves open has
+/// the course's defaults, those of RenderSettings: 256 pixels and one sample.
+struct DefaultImage {
+  int side = 1024;                   // of the square, pixels
+  int samples = 16;                  // per pixel, unless they are chosen, or a budget
+  int samples_of_a_chosen_size = 1;  // likewise, if the command line chooses the size
+};
+
 /// The options of raypro and rayview. Ranges, units and help are in the option table; the defaults are here.
 struct RenderOptions : Options {
   explicit RenderOptions(const Program& which = Program::raypro) : Options(which) {}
@@ -39,6 +47,7 @@ struct RenderOptions : Options {
   FileOptions files;
   CheckpointOptions checkpoint;
   RenderSettings render;
+  DefaultImage default_image;
   AcceleratorSettings accelerator;
   ParseOptions parse;
   R2::ImageEncoding encoding;

@@ -132,10 +132,10 @@ std::vector<OptionKind> CameraAndImageOptions() {
   return {
       {"width", raypro, image | in_scenes | ElsewhereCalled{"w", "W", "x", "xres"},
        {}, {"n"}, Whole{AT(render.width), 1, most_pixels_a_side}, "pixels", "picture",
-       "width of the whole image"},
+       "width of the whole image; 1024 if neither it nor -height is given"},
       {"height", raypro, image | in_scenes | ElsewhereCalled{"H", "y", "yres"},
        {}, {"n"}, Whole{AT(render.height), 1, most_pixels_a_side}, "pixels", "picture",
-       "height of the whole image"},
+       "height of the whole image; 1024 if neither it nor -width is given"},
       {"width", rayview, window | in_scenes | ElsewhereCalled{"w", "W", "x", "xres"},
        {}, {"n"}, Whole{AT(render.width), 1, most_pixels_a_side}, "pixels", "picture",
        "initial width of the window, and so of the traced image"},
@@ -145,7 +145,7 @@ std::vector<OptionKind> CameraAndImageOptions() {
       {"samples", both, samples | in_scenes | before_budgets | changes_on_resume | Needs{needs::samples_to_limit} |
        ElsewhereCalled{"spp", "s", "n", "aa", "antialias"},
        {}, {"n"}, samples_per_pixel, "camera rays per pixel", "picture",
-       "more make edges and shadows smoother; 1/4: trace every fourth pixel, interpolate the others"},
+       "more make edges smoother; 16 if no size is given; 1/4: trace a fourth of the pixels"},
       {"denoise", both, image | ElsewhereCalled{"oidn"}, {}, {}, Flag{AT(render.denoise)}, "", "picture",
        "filter out noise where that lowers the error, guided by surfaces; report the error left"},
       {"denoiser", both, image | Needs{needs::denoise},
@@ -514,14 +514,16 @@ const Program Program::raypro{
         "Renders a scene file; the extensions choose the formats (raypro -list). The name - is standard input as a "
         "scene,\n"
         "in .scn, and standard output as an image, in PNG. A scene or a mesh that is named alone is rendered to a "
-        "PNG of\nits name beside it.\n",
+        "PNG of\nits name beside it.\n"
+        "An image has 1024 x 1024 pixels of 16 samples each, unless the scene or an option says otherwise.\n",
     .examples =
-        "  raypro scenes/hello.scn hello.jpg -width 512 -height 512 -samples 16\n"
+        "  raypro scenes/hello.scn hello.jpg\n"
+        "  raypro scenes/hello.scn hello.jpg -width 1920 -height 1080 -samples 64\n"
         "  raypro scenes/hello.scn part.png -crop 100 100 160 140 -bits 16\n"
         "  raypro scenes/hello.scn scenes/glass.scn -out_folder images\n"
         "  raypro - - < scenes/hello.scn > hello.png\n"
         "  raypro scenes/hello.scn -check\n"
-        "  raypro scenes/hello.scn -debugpixel 128 100\n",
+        "  raypro scenes/hello.scn -samples 1 -debugpixel 512 400\n",
     .statuses = {{"0", "Success."},
                  {"1", "Failed while rendering."},
                  {"2", "Wrong arguments."},

@@ -122,6 +122,22 @@ void CheckFlare(const Camera& camera, const RenderOptions& options) {
   throw error;
 }
 
+/// Applies the default image, as far as nothing chooses another one.
+void CompleteImage(const Scene& scene, RenderOptions& options) {
+  const auto sets = [&](const char* name) {
+    return std::ranges::any_of(scene.settings, [&](const SceneSetting& setting) { return setting.option == name; });
+  };
+  const bool is_of_scene = sets("width") || sets("height") || sets("samples"),
+             has_samples = options.IsGiven("samples") || IsSetByPreset(options.quality, "samples") ||
+                           options.render.budget.IsOpen() || !options.files.replay.empty(),
+             has_size = options.IsGiven("width") || options.IsGiven("height");
+  if (is_of_scene || options.as_course) return;
+  RenderSettings& render = options.render;
+  const DefaultImage& image = options.default_image;
+  if (!has_size) render.width = render.height = image.side;
+  if (!has_samples) render.samples = has_size ? image.samples_of_a_chosen_size : image.samples;
+}
+
 }  // namespace
 
 std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) {
@@ -141,6 +157,7 @@ std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) {
 void ApplySettings(const Scene& scene, RenderOptions& options) {
   CheckSettings(scene);
   for (const auto& [option, setting] : InForce(scene, options)) Apply(*option, *setting, options);
+  CompleteImage(scene, options);
   try {
     CompleteForScene(options);
     CheckLens(scene.camera, options);

@@ -27,7 +27,9 @@ inline constexpr std::array context_names{"auto", "egl", "osmesa"};
 
 /// The options of rayview: those of raypro, and its window.
 struct ViewerOptions : RenderOptions {
-  ViewerOptions() : RenderOptions(Program::rayview) { render.width = render.height = 512; }  // the course's window
+  ViewerOptions() : RenderOptions(Program::rayview) {
+    render.width = render.height = default_image.side = 512;  // the course's window
+  }
 
   ViewOptions view;
 };

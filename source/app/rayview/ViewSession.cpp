@@ -81,7 +81,9 @@ std::string FreeRaysName() {
 ViewerSettings SettingsFor(const ViewerOptions& options) {
   ViewerSettings settings{options.files.scene, options.parse, options.accelerator, options.render, {}};
   settings.shows_bar = IsLookedAt(options.view);
-  settings.budget_of_rest = IsLookedAt(options.view) && !options.IsGiven("samples") && options.render.samples == 1;
+  const int samples = options.render.samples;
+  const bool has_samples = options.IsGiven("samples") || (samples > 1 && samples != options.default_image.samples);
+  settings.budget_of_rest = IsLookedAt(options.view) && !has_samples;
   settings.shows_traced = options.view.preview == "auto" ? IsLookedAt(options.view) && !options.view.exit_immediately
                                                          : options.view.preview == "traced";
   return settings;

@@ -27,9 +27,9 @@ std::vector<std::string> LinesOn(PlacedFaults faults, const Inspection& inspecti
 
 }  // namespace
 
-std::vector<std::string> Ask(std::span<const Question> questions, const Inspection& inspection) {
+std::vector<std::string> Ask(std::span<const Question> asked, const Inspection& inspection) {
   std::vector<std::string> lines;
-  for (const Question& question : questions) {
+  for (const Question& question : asked) {
     if (question.effort != inspection.effort && inspection.effort != Effort::check) continue;
     const auto more = std::visit([&](const auto& fault) { return LinesOn(fault, inspection); }, question.fault);
     lines.insert(lines.end(), more.begin(), more.end());

@@ -36,6 +36,25 @@ TEST(SceneSettings, ApplyUnlessTheCommandLineSetsThem) {
   EXPECT_EQ(typed.render.width, 256);  // although it is the default
 }
 
+/// Width, height and samples, as a user reads them.
+std::string ImageOf(const Scene& scene, const std::vector<std::string>& words) {
+  const RenderSettings render = WithSettingsOf(scene, Typed(words)).render;
+  return std::to_string(render.width) + "x" + std::to_string(render.height) + " " + std::to_string(render.samples);
+}
+
+TEST(SceneSettings, NeitherTheyNorTheCommandLineChooseTheDefaultImage) {
+  const Scene scene;
+  EXPECT_EQ(ImageOf(scene, {}), "1024x1024 16");
+  EXPECT_EQ(ImageOf(scene, {"-mode", "path", "-seed", "3"}), "1024x1024 16");
+  EXPECT_EQ(ImageOf(scene, {"-samples", "1"}), "1024x1024 1");
+  EXPECT_EQ(ImageOf(scene, {"-error", "2"}), "1024x1024 1") << "as many samples as the error needs";
+  EXPECT_EQ(ImageOf(scene, {"-quality", "draft"}), "1024x1024 4");
+  EXPECT_EQ(ImageOf(scene, {"-width", "300"}), "300x256 1") << "the course's defaults";
+  EXPECT_EQ(ImageOf(scene, {"-height", "300", "-samples", "9"}), "256x300 9");
+  EXPECT_EQ(ImageOf(With({{"width", "40", "x"}}), {}), "40x256 1");
+  EXPECT_EQ(ImageOf(With({{"samples", "3", "x"}}), {}), "256x256 3");
+}
+
 TEST(SceneSettings, ARequestedPresetComesBeforeThem) {
   const Scene scene = With({{"max_depth", "7", "a.scn:1:5"}});
   EXPECT_EQ(WithSettingsOf(scene, Typed({"-quality", "draft"})).render.trace.max_depth, 20);
