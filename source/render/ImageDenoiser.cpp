@@ -94,19 +94,22 @@ std::optional<MeasuredError> ImageDenoiser::ErrorLeft(const Film& film, const Un
   return last_ ? std::optional(last_->left) : std::nullopt;
 }
 
-void ImageDenoiser::Finish(const Film& film, std::optional<Clock::time_point> end_of_guides, RenderResult& result) {
+void ImageDenoiser::Finish(const Film& film, std::optional<Clock::time_point> end_of_guides,
+                           const std::function<bool(const MeasuredError&)>& is_worse, RenderResult& result) {
   if (!HasFailed() && !(last_ && last_->samples == SamplesTaken(film)))
     Denoise(film, result.unseen, end_of_guides, true);
   result.denoise_failure = failure_;
   result.denoise_seconds = seconds_;
   if (was_stopped_) result.stop = Stop::request;
   if (!last_) return;
-  result.image = std::move(last_->image);
-  result.denoised_by = last_->by;
-  result.refinement = last_->refinement;
   result.rays += last_->rays;
   result.guide_rays = last_->rays.Total();
   result.guide_seconds = last_->guide_seconds;
+  result.is_better_noisy = is_worse(last_->left);
+  if (result.is_better_noisy) return;
+  result.image = std::move(last_->image);
+  result.denoised_by = last_->by;
+  result.refinement = last_->refinement;
   result.error_before_denoising = result.error;
   result.error = last_->left.estimate;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,9 +39,10 @@ class ImageDenoiser {
   /// guides are refined in proportion to the samples, by as many rays as there is time for until `end_of_guides`, or as
   /// in the replayed render. Reports its progress.
   /// If a library fails, the image is unchanged and the result contains the reason. If the monitor requests a stop, the
-  /// image is unchanged as well, and the render is no longer complete.
+  /// image is unchanged as well, and the render is no longer complete. It is also unchanged if `is_worse` of the error
+  /// after filtering.
   void Finish(const Film& film, std::optional<std::chrono::steady_clock::time_point> end_of_guides,
-              RenderResult& result);
+              const std::function<bool(const MeasuredError&)>& is_worse, RenderResult& result);
 
  private:
   struct Denoised;

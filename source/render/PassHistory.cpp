@@ -32,7 +32,7 @@ std::optional<MeasuredError> PassHistory::Note(const Schedule& schedule, double 
   Look look{noisy};
   if (look_at_denoised_) look = noisy && schedule.LooksAtError() ? look_at_denoised_(*noisy, unseen) : Look{};
   if (look.was_stopped) return {};
-  if (noisy && look_at_denoised_) noisy_ = noisy->estimate;
+  if (noisy && look_at_denoised_) noisy_ = noisy;
   // First looks do not count as passes, nor do the passes of a render without decisions.
   if (!passes_.empty() && !is_noted && (!are_counted_ || passes_.back().end == 0)) passes_.pop_back();
   if (is_noted) return look.error;
@@ -50,8 +50,8 @@ std::optional<ErrorForecast> PassHistory::Forecast() const {
 std::optional<ErrorEstimate> PassHistory::Finish(bool have_come, const UnseenLight& unseen) {
   // The error of costs is unknown: costs are summed, not the displayed colors.
   if (ShowsCosts(settings_.mode)) return {};
-  const auto& last = look_at_denoised_ ? noisy_ : passes_.empty() ? std::nullopt : passes_.back().error;
-  if (!have_come && last) return last;
+  if (!have_come && noisy_) return noisy_->estimate;
+  if (!have_come && !look_at_denoised_ && !passes_.empty() && passes_.back().error) return passes_.back().error;
   const auto measured = Measure(unseen);
   if (!measured) return {};
   if (!passes_.empty() && !look_at_denoised_) passes_.back().error = measured->estimate;

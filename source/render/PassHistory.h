@@ -41,6 +41,8 @@ class PassHistory {
   ///   seconds   since the render began
   std::optional<MeasuredError> Note(const Schedule& schedule, double samples, double seconds,
                                     const UnseenLight& unseen);
+  /// Returns the error of the film after the last pass, if passes have that of the denoised image.
+  const std::optional<MeasuredError>& Noisy() const { return noisy_; }
   /// Predicts when the error target will be reached; std::nullopt without a target or a measurement.
   std::optional<ErrorForecast> Forecast() const;
 
@@ -58,8 +60,7 @@ class PassHistory {
   const LookAtDenoised look_at_denoised_;
   std::vector<Pass> passes_;
   BlockErrors differences_;
-  std::optional<ErrorEstimate>
-      noisy_;  // error of the film after the last pass, if passes have that of the denoised image
+  std::optional<MeasuredError> noisy_;  // see Noisy
 };
 
 }  // namespace ray

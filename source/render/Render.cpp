@@ -137,6 +137,9 @@ class Job {
     return State();
   }
 
+  /// Returns true if the image reaches its error target only without denoising, which leaves the error `left`.
+  bool IsBetterNoisy(const MeasuredError& left) const { return is_good_enough_noisy_ && !schedule_.Suffices(left); }
+
   const Film& film() const { return film_; }
   const TimeBudget& time() const { return time_; }
 
@@ -155,11 +158,13 @@ class Job {
   }
 
   /// Returns a function that measures the error of the denoised image, if that error decides when the render ends;
-  /// otherwise an empty one. If the image will not be denoised, the function returns the error of the film.
+  /// otherwise an empty one. If the image will not be denoised, or need not be, the function returns the error of the
+  /// film.
   PassHistory::LookAtDenoised ErrorLeft() {
     if (!denoiser_ || !settings_.budget.error || settings_.replay) return {};
     return [this](const MeasuredError& noisy, const UnseenLight& unseen) -> PassHistory::Look {
-      if (denoiser_->HasFailed() || !time_.HasTimeToDenoise()) return {noisy};
+      is_good_enough_noisy_ = schedule_.Suffices(noisy);
+      if (is_good_enough_noisy_ || denoiser_->HasFailed() || !time_.HasTimeToDenoise()) return {noisy};
       if (!MayReachTargetDenoised(noisy, *settings_.budget.error, schedule_.Caution()) || !time_.HasTimeToLook())
         return {};
       return {denoiser_->ErrorLeft(film_, unseen), denoiser_->WasStopped()};
@@ -202,6 +207,7 @@ class Job {
     const double seconds_of_sample = pass.samples_taken > 0 ? pass.seconds_taken / pass.samples_taken : 0;
     time_.Look(film_, samples, seconds_of_sample, runner_.Rays().Total(), monitor_.stop);
     pass.error = history_.Note(schedule_, samples, seconds_of_render, Unseen());
+    pass.noisy = history_.Noisy();
     if (const auto forecast = history_.Forecast(); pass.error && forecast) {
       pass.has_stalled = forecast->has_stalled;
       progress_.Expect(forecast->samples);
@@ -243,6 +249,7 @@ class Job {
     double seconds = 0, samples = 0;  // per pixel, on average
   } pass_begin_;
   std::uint64_t rays_before_ = 0;  // of the state from which the render resumed
+  bool is_good_enough_noisy_ = false;
 };
 
 /// Returns the forecast for an image that is to be denoised within a time limit, otherwise std::nullopt.
@@ -270,7 +277,8 @@ RenderResult RenderWithoutFlare(const World& world, const Accelerator& accelerat
   const TimeBudget& time = job.time();
   result.had_no_time_to_denoise = time.Denoises() && !(time.HasTimeToDenoise() && job.film().HasBothParts());
   if (result.had_no_time_to_denoise) return result;
-  denoiser->Finish(job.film(), time.EndOfGuides(), result);
+  denoiser->Finish(
+      job.film(), time.EndOfGuides(), [&](const MeasuredError& left) { return job.IsBetterNoisy(left); }, result);
   if (!result.IsComplete() && monitor.save) monitor.save(job.State());
   return result;
 }

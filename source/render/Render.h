@@ -87,6 +87,7 @@ struct RenderSummary {
   std::string denoise_failure;
   // denoising was requested; the image is unfiltered
   bool had_no_time_to_denoise = false;
+  bool is_better_noisy = false;  // its error target is reached, and would not be with the image denoised
   double denoise_seconds = 0, guide_seconds = 0;  // guide_seconds is a part of denoise_seconds
   std::uint64_t guide_rays = 0;                   // a part of `rays`
   // a part of `rays`: those of the state from which the render resumed

@@ -104,7 +104,6 @@ Schedule::Schedule(const RenderSettings& settings, BlockGrid blocks, bool in_pas
       in_passes_(budget_.IsOpen() || in_passes || !ShowsCosts(settings.mode)),
       two_streams_(HasTwoStreams(settings)),
       looks_at_neighbors_(SamplesWhereNeighborsDiffer(settings)),
-      is_denoised_(settings.denoise),
       most_places_(IsSubsampled(settings) ? settings.places : BlockOrder::places),
       is_subsampled_(IsSubsampled(settings)),
       ceiling_(Ceiling(settings)),
@@ -144,10 +143,11 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   if (state_.end == 0) return NextOfFirstSamples(pass);
   if (looks_at_neighbors_) return NextOfNeighbors(pass);
   const MeasuredError* error = DecidesByError() && pass.error ? &*pass.error : nullptr;
+  const MeasuredError* noisy = error && pass.noisy ? &*pass.noisy : nullptr;
   if (pass.error && Suffices(*pass.error)) return Stop::error;
   if (error && pass.has_stalled && ceiling_ == most_samples && budget_.seconds == 0) return Stop::stall;
   const bool goes_as_far_as_time = pass.is_of_many_machines && budget_.seconds > 0 && !budget_.error;
-  std::uint32_t end = goes_as_far_as_time ? ceiling_ : std::min(ceiling_, NextEnd(error));
+  std::uint32_t end = goes_as_far_as_time ? ceiling_ : std::min(ceiling_, noisy ? NextEndIfDenoised(*error, *noisy) : NextEnd(error));
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
   if (error && budget_.adaptive != Adaptive::off) targets = ChooseBlocks(end, *error);
   // After a pass that was shortened for some blocks, others may already have more.
@@ -240,7 +240,6 @@ void Schedule::ReplayTo(std::uint32_t end) {
 std::uint32_t Schedule::NextEnd(const MeasuredError* error) const {
   const std::uint32_t end = state_.end, twice = 2 * end;  // fits, since -samples is an int
   if (!error) return twice;
-  if (is_denoised_) return NextEndIfDenoised(*error);
   const double growth = R1::Pow(error->square_high / SquaredTargetOf(*error), 0.5 / fall_of_error);
   return growth < 1.7 ? RoundedUp(growth) : twice;
 }
@@ -254,12 +253,13 @@ std::uint32_t Schedule::RoundedUp(double growth) const {
 
 /// Returns the samples at the next look at a denoised image. Each look requires filtering, so there are few: far from
 /// the target, the next one is at half of the samples that are expected to suffice; close to it, at slightly more than
-/// these.
+/// these. If the image is soon good enough without denoising, the next look is then.
 ///   source   squared errors of denoised images fall as samples^-0.7 to samples^-1.3 in the scenes of
 ///            script/time_to_error.sh
-std::uint32_t Schedule::NextEndIfDenoised(const MeasuredError& error) const {
+std::uint32_t Schedule::NextEndIfDenoised(const MeasuredError& error, const MeasuredError& noisy) const {
   constexpr double far = 4, farthest = 32, margin = 1.1, most_growth = 3;
   const double target = SquaredTargetOf(error), ratio = error.square / target;
+  if (noisy.square_high < far * SquaredTargetOf(noisy)) return NextEnd(&noisy);
   if (ratio >= far && state_.end < most_samples / farthest)
     return state_.end * std::bit_floor(static_cast<std::uint32_t>(std::min(ratio, farthest) / 2));
   return RoundedUp(std::min(most_growth, margin * error.square_high / target));

@@ -51,6 +51,7 @@ struct PassOutcome {
   bool has_stalled = false;          // see ErrorForecast
   bool is_of_many_machines = false;  // each pass starts them again, so there should be few
   std::vector<double> contrasts{};   // of neighboring pixels as displayed, in [0, 1], per block; see LooksAtContrast
+  std::optional<MeasuredError> noisy{};  // without denoising, if `error` is that of the denoised image
 };
 
 /// The state of a schedule, saved in checkpoints.
@@ -83,6 +84,7 @@ class Schedule {
   }
   /// Returns the factor by which a squared error must be below its target to end the render.
   double Caution() const { return DecidesByError() ? 1 : 2; }
+  bool Suffices(const MeasuredError& error) const;
   /// Returns true if the next decision depends on the contrast of neighboring pixels after the current pass.
   bool LooksAtContrast() const { return looks_at_neighbors_ && state_.end == 1; }
   /// Returns true if the next decision depends on the whole image after the current pass, or on the time it took.
@@ -99,7 +101,6 @@ class Schedule {
   std::optional<Stop> Next(const PassOutcome& pass);
 
  private:
-  bool Suffices(const MeasuredError& error) const;
   std::optional<Stop> NextOfReplay();
   void ReplayTo(std::uint32_t end);
   void SampleTo(std::uint32_t end);
@@ -109,7 +110,7 @@ class Schedule {
   std::optional<Stop> NextOfNeighbors(const PassOutcome& pass);
   double SecondsLeft(const PassOutcome& pass) const;
   std::uint32_t NextEnd(const MeasuredError* error) const;
-  std::uint32_t NextEndIfDenoised(const MeasuredError& error) const;
+  std::uint32_t NextEndIfDenoised(const MeasuredError& error, const MeasuredError& noisy) const;
   std::uint32_t RoundedUp(double growth) const;
   std::vector<std::uint32_t> ChooseBlocks(std::uint32_t end, const MeasuredError& error);
   bool IsOpen(std::size_t block, const std::vector<double>& squares, double limit) const;
@@ -122,7 +123,7 @@ class Schedule {
   std::optional<Replay> replay_;
   BlockGrid blocks_;
   double pixels_;  // of the image
-  bool in_passes_, two_streams_, looks_at_neighbors_, is_denoised_;
+  bool in_passes_, two_streams_, looks_at_neighbors_;
   int most_places_;  // looked at in a block without samples
   bool is_subsampled_;
   std::uint32_t ceiling_, first_decision_;  // samples per pixel and stream

@@ -223,7 +223,7 @@ Probe ProbeToError(const World& world, const Accelerator& accelerator, const Ren
   Probe probe;
   const auto look = [&](const MeasuredError& noisy, const UnseenLight& unseen) {
     MeasuredError error = noisy;
-    if (settings.denoise) {
+    if (settings.denoise && !schedule.Suffices(noisy)) {
       error = MeasureDenoisedError(film, squares.Denoised(), squares.Measure());
       AllowFor(unseen, squares.Measure(), error);
     }
@@ -237,6 +237,7 @@ Probe ProbeToError(const World& world, const Accelerator& accelerator, const Ren
     squares.SampleTo(schedule.State().targets.samples);
     PassOutcome pass;
     pass.error = history.Note(schedule, CountSamples(film).mean, squares.SecondsOfImage(), squares.Unseen());
+    if (settings.denoise) pass.noisy = history.Noisy();
     if (pass.error) probe.light = MeanOf(film.Image()), is_measured = true;
     if (const auto forecast = history.Forecast()) pass.has_stalled = forecast->has_stalled;
     probe.stop = schedule.Next(pass);

@@ -185,6 +185,8 @@ void RunLog::Rendered(const RenderResult& result) {
   if (result.had_no_time_to_denoise)
     Warn("raypro: warning: the image is not denoised: -time " + ShowDuration(render.budget.seconds) +
          " left too little for two samples per pixel and their filter");
+  if (result.is_better_noisy)
+    Hint("raypro: the image is not denoised: its error is below the target as it is, and would be above it denoised");
   if (result.error_before_denoising) PrintStep("of that, denoised", result.denoise_seconds);
 }
 

@@ -536,12 +536,20 @@ TEST(Schedule, DenoisedImagesAreLookedAtRarely) {
   RenderSettings settings = ToErrorOne();
   settings.denoise = true;
   Schedule schedule = Deciding(settings);
-  ASSERT_FALSE(schedule.Next(Found(16)));
+  const auto found = [](double denoised, double noisy) {
+    PassOutcome pass = Found(denoised);
+    pass.noisy = Found(noisy).error;
+    return pass;
+  };
+  ASSERT_FALSE(schedule.Next(found(16, 160)));
   EXPECT_EQ(schedule.State().end, 64u);
-  ASSERT_FALSE(schedule.Next(Found(1.1)));
+  ASSERT_FALSE(schedule.Next(found(1.1, 11)));
   EXPECT_EQ(schedule.State().end, 96u);
-  ASSERT_FALSE(schedule.Next(Found(2)));
+  ASSERT_FALSE(schedule.Next(found(2, 20)));
   EXPECT_EQ(schedule.State().end, 240u);
+  // A filter that does not help is not waited for.
+  ASSERT_FALSE(schedule.Next(found(2, 1.05)));
+  EXPECT_EQ(schedule.State().end, 288u);
 }
 
 // Errors of filtered blocks are differences of squares; a checkpoint must not contain negative ones.
@@ -549,7 +557,9 @@ TEST(Schedule, BlocksWhoseErrorIsEstimatedBelow0CountAs0) {
   RenderSettings settings = ToErrorOne();
   settings.denoise = true;
   Schedule schedule = Deciding(settings);
-  ASSERT_FALSE(schedule.Next(FoundInCorner(64, -0.5)));
+  PassOutcome pass = FoundInCorner(64, -0.5);
+  pass.noisy = Found(640).error;
+  ASSERT_FALSE(schedule.Next(pass));
   EXPECT_EQ(std::ranges::min(schedule.State().last_squared_errors), 0);
 }
 

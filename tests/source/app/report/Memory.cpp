@@ -99,7 +99,7 @@ TEST(Extremes, K4_AnImageBombIsRefusedByItsHeader) {
   WriteFile(place / "in.scn", scene);
   const Finished reference = place.Run({"-reference", place / "bomb.png", "-memory", "0.5"});
   EXPECT_EQ(reference.status, 2);
-  EXPECT_NE(reference.error.find("is 16384x16384, the image 256x256"), std::string::npos) << reference.error;
+  EXPECT_NE(reference.error.find("is 16384x16384, the image 1024x1024"), std::string::npos) << reference.error;
   const Finished info = RunProgram({"-info", place / "bomb.png"});
   EXPECT_EQ(info.status, 0) << info.error;
   EXPECT_NE(info.output.find("png, 16384x16384"), std::string::npos) << info.output;

@@ -70,7 +70,8 @@ TEST(ProbeToError, OfTheWholeImageIsTheRender) {
       EXPECT_EQ(probe.passes.back().end, result.passes.back().end);
       EXPECT_NEAR(probe.passes.back().samples, result.samples.mean, 1e-9);
       EXPECT_NEAR(probe.passes.back().error->estimate, result.error->estimate, 1e-3 * result.error->estimate);
-      EXPECT_NEAR(probe.passes.back().error->high, result.error->high, 1e-3 * result.error->high);
+      const double high = result.passes.back().error->high;
+  EXPECT_NEAR(probe.passes.back().error->high, high, 1e-3 * high);
       EXPECT_NEAR(probe.light, MeanOf(result.image), 1e-5) << "to the precision of the floats of both parts";
       const Probe::Arrival arrival = probe.ArrivalAt(target);
       EXPECT_EQ(arrival.samples, probe.passes.back().samples);
@@ -111,7 +112,8 @@ TEST(ProbeToError, ADenoisedWholeImageIsTheRender) {
   const RenderResult result = Render(subject.world, *subject.accelerator, settings);
   EXPECT_EQ(probe.stop, Stop::error);
   ASSERT_EQ(probe.passes.back().end, result.passes.back().end);
-  EXPECT_NEAR(probe.passes.back().error->high, result.error->high, 1e-3 * result.error->high);
+  const double high = result.passes.back().error->high;
+  EXPECT_NEAR(probe.passes.back().error->high, high, 1e-3 * high);
   EXPECT_NEAR(std::sqrt(probe.square) * 255, result.error_before_denoising->estimate,
               1e-3 * result.error_before_denoising->estimate);
 }
