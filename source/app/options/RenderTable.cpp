@@ -514,7 +514,7 @@ const Program Program::raypro{
         "Renders a scene file; the extensions choose the formats (raypro -list). The name - is standard input as a "
         "scene,\n"
         "in .scn, and standard output as an image, in PNG. A scene or a mesh that is named alone is rendered to a "
-        "PNG of\nits name beside it.\n"
+        "PNG of\nits name in its folder.\n"
         "An image has 1024 x 1024 pixels of 16 samples each, unless the scene or an option says otherwise.\n",
     .examples =
         "  raypro scenes/hello.scn hello.jpg\n"
