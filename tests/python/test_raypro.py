@@ -241,11 +241,11 @@ class Mistakes(Folder):
 
     def test_a_missing_program_says_what_to_do(self):
         with mock.patch.dict(os.environ, RAYPRO=self.folder + "/raypro"):
-            with self.assertRaisesRegex(FileNotFoundError, "where RAYPRO says; build it"):
+            with self.assertRaisesRegex(FileNotFoundError, "the folder of RAYPRO; build it"):
                 raypro.render(BALL)
         moved = mock.patch.object(raypro, "__file__", "/nowhere/raypro.py")
         with mock.patch.dict(os.environ, {"PATH": self.folder}, clear=True), moved:
-            with self.assertRaisesRegex(FileNotFoundError, "nor on PATH; build it"):
+            with self.assertRaisesRegex(FileNotFoundError, "or on PATH; build it"):
                 raypro.render(BALL)
 
     def test_programs_are_found_nearby_installed_and_on_the_path(self):

@@ -62,9 +62,9 @@ TEST(Advice, AnImageWithoutNoiseIsReported) {
 }
 
 TEST(Advice, TheTargetIsTheRequestedErrorInItsUnit) {
-  EXPECT_TRUE(Has(AdviceOn(soft_light + ball), " below 2/255 "));
+  EXPECT_TRUE(Has(AdviceOn(soft_light + ball), " below 2/255:"));
   const std::string relative = AdviceOn(soft_light + ball, {"error", "3%"});
-  EXPECT_TRUE(Has(relative, " below 3% ")) << relative;
+  EXPECT_TRUE(Has(relative, " below 3%:")) << relative;
   EXPECT_FALSE(Has(relative, "-error 2")) << relative;
 }
 
