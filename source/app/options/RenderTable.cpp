@@ -323,7 +323,7 @@ std::vector<OptionKind> QualityOptions() {
   return {
       {"quality", raypro, samples | ElsewhereCalled{"preset"},
        {}, {"name"}, OneOfNames(AT(quality), PresetNames), "", "quality",
-       "a preset (raypro -list presets); options given besides override its settings"},
+       "a preset (raypro -list presets); other options override its settings"},
       {"time", raypro, budget | changes_on_resume | ElsewhereCalled{"T", "timeout"},
        {}, {"t"}, WordOf<ReadDuration, ShowDuration>(AT(render.budget.seconds), duration_range),
        "", "quality", "time limit, from the start of the program to the image written"},
@@ -344,7 +344,7 @@ std::vector<OptionKind> QualityOptions() {
       {"adaptive", both, budget | in_scenes | before_budgets |
        Needs{needs::error_of_tiles, needs::samples_of_neighbors},
        {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "quality",
-       "auto, tile: with -error, refine only blocks above it; neighbors: only blocks of unlike pixels"},
+       "auto, tile: with -error, refine only blocks above it; neighbors: only uneven blocks"},
       {"reference", raypro, run | one_image | whole_image,
        {}, {"file[,file2]"}, FileList{AT(files.reference), FileKind::image}, "", "quality",
        "print the true error against an image, or two independent ones, of the same scene"},
