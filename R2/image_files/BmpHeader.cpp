@@ -66,8 +66,8 @@ InfoHeader ReadInfoHeader(ByteReader& reader) {
 /// Throws if the compression is not supported.
 void CheckCompression(const ByteReader& reader, const InfoHeader& info) {
   const std::uint32_t compression = info.compression;
-  if (compression == 4 && !info.IsOs2()) reader.Fail("holds a JPEG instead of pixels, which is not supported");
-  if (compression == 5) reader.Fail("holds a PNG instead of pixels, which is not supported");
+  if (compression == 4 && !info.IsOs2()) reader.Fail("contains a JPEG instead of pixels, which is not supported");
+  if (compression == 5) reader.Fail("contains a PNG instead of pixels, which is not supported");
   constexpr std::array depths{1, 2, 4, 8, 16, 24, 32};
   if (std::ranges::find(depths, info.bits) == depths.end())
     reader.Fail("has " + std::to_string(info.bits) + " bits per pixel; 1, 2, 4, 8, 16, 24 and 32 are read");

@@ -38,7 +38,7 @@ void WarnOfBytesBehind(DecodedImage& decoded, const char* kind, std::uint64_t by
   if (bytes == 0) return;
   decoded.warnings.push_back(
       std::string(kind) + " has " + std::to_string(bytes) +
-      (bytes == 1 ? " byte behind its image, which is ignored" : " bytes behind its image, which are ignored"));
+      (bytes == 1 ? " byte after its image, which is ignored" : " bytes after its image, which are ignored"));
 }
 
 }  // namespace R2

@@ -2,26 +2,26 @@
 
     import raypro
     image = raypro.render("scenes/hello.scn", width=512, samples=16)
-    image                    # in a notebook: the picture
+    image                    # in a notebook: shows the image
     image.array[0][0]        # red, green and blue of the upper left pixel
-    image.report["seconds"]  # what raypro -report writes
+    image.report["seconds"]  # the content of raypro -report
 
-A scene is the name of a file, or a text with a line break in it, whose mistakes are told as those of <stdin>.
+A scene is the name of a file, or a text with a line break in it. Mistakes of a text are reported for the file <stdin>.
 
 Options are those of raypro, by name (raypro -help and docs/options.md have units, ranges and defaults), as values:
     width=512, mode="path"        -width 512 -mode path
-    denoise=True, denoise=False   -denoise, and nothing: what the scene or raypro itself says
-    shadows=False                 -shadows off, for those that take on or off; 0, 1 and numpy's booleans mean the same
+    denoise=True, denoise=False   -denoise, or nothing: the setting of the scene or the default
+    shadows=False                 -shadows off, for options with on and off; 0, 1 and numpy's booleans mean the same
     eye=(0, 1, 5)                 -eye 0 1 5
     layers=["depth", "normal"]    -layers depth,normal
     define={"t": 0.5}             -define t=0.5, for each name
     report="run.json"             a copy of image.report in a file
     seed=None                     nothing
-raypro itself refuses what it does not know, as SceneError.
+raypro rejects unknown options with a SceneError.
 
-The programs raypro and rayimg are looked for where the environment variable RAYPRO says, or else beside this file, in
-the installation or the sources that it belongs to, and on PATH. Needs Python 3.9 and nothing else; arrays are numpy's
-where numpy is installed.
+The programs raypro and rayimg are searched in the folder of the environment variable RAYPRO, otherwise in the folder of
+this file, in the installation or the sources that it belongs to, and on PATH. Requires only Python 3.9; arrays are
+numpy's if numpy is installed.
 """
 
 import array
@@ -45,7 +45,7 @@ __all__ = ["Image", "SceneError", "debugpixel", "diff", "render", "tell"]
 
 
 def __getattr__(name):
-    """raypro.__version__ is the version of the program that is found."""
+    """Returns the version of the program as raypro.__version__."""
     if name != "__version__":
         raise AttributeError(f"module 'raypro' has no attribute {name!r}")
     try:
@@ -55,10 +55,10 @@ def __getattr__(name):
 
 
 class SceneError(Exception):
-    """What raypro or rayimg refused, in its own words, with line, column and caret where a file is to blame.
+    """An error message of raypro or rayimg, with line, column and caret if it concerns a file.
 
     status: its exit status, 1 to 255: 1 failed while rendering, 2 wrong arguments, 3 the scene or a file that it names
-    is wrong or missing, 4 the picture cannot be written; minus the number of the signal that killed it.
+    is wrong or missing, 4 the image cannot be written; minus the number of the signal that killed it.
     """
 
     def __init__(self, text, status):
@@ -67,12 +67,12 @@ class SceneError(Exception):
 
 
 class Image:
-    """A picture of floats, and what raypro said about it.
+    """An image of floats, with the report of raypro.
 
     width, height: in pixels.
-    report: the dict that raypro -report writes; {} for a layer.
+    report: the content of raypro -report as a dict; {} for a layer.
     warnings: a list of texts, each with its caret.
-    summary: what raypro printed: size, samples per pixel, seconds, estimated error.
+    summary: the output of raypro: size, samples per pixel, seconds, estimated error.
     layers: a dict of Images by name, for layers=["depth", ...].
     """
 
@@ -86,10 +86,10 @@ class Image:
 
     @functools.cached_property
     def array(self):
-        """Floats in single precision, linear where srgb=True, not clamped: array[row][column] from the upper left.
+        """Floats in single precision, linear if srgb=True, not clamped: array[row][column] from the upper left.
 
-        A pixel is [red, green, blue]; what is one number, as a depth is, stands there three times. With numpy an array
-        of shape (height, width, 3), which matplotlib's imshow takes; without, nested lists.
+        A pixel is [red, green, blue]; a single number, such as a depth, is repeated three times. With numpy an array of
+        shape (height, width, 3), which matplotlib's imshow accepts; without, nested lists.
         """
         if numpy:
             order = "<f4" if self._byte_order == "little" else ">f4"
@@ -101,20 +101,20 @@ class Image:
         return [pixels[i : i + self.width] for i in range(0, len(pixels), self.width)][::-1]
 
     def pixel(self, x, y):
-        """The pixel of array in column x from the left and row y from the bottom, both from 0, as debugpixel counts."""
+        """Returns the pixel in column x from the left and row y from the bottom, both from 0, as in debugpixel."""
         if not (0 <= x < self.width and 0 <= y < self.height):
-            raise IndexError(f"no pixel {x} {y} in a picture of {self.width} x {self.height}")
+            raise IndexError(f"no pixel {x} {y} in an image of {self.width} x {self.height}")
         return self.array[self.height - 1 - y][x]
 
     def debugpixel(self, x, y):
-        """The tree of the rays behind a pixel of this picture, as text: of the scene and options that rendered it."""
+        """Returns the tree of the rays behind a pixel as text, from the scene and options that rendered this image."""
         if self._rendered is None:
-            raise ValueError("this picture has no rays: it is a layer, or was not rendered here")
+            raise ValueError("this image has no rays: it is a layer, or was not rendered here")
         scene, folder, options = self._rendered
         return debugpixel(scene, x, y, folder=folder, **{**options, "layers": None})
 
     def save(self, name):
-        """Writes the picture; the extension says how: png, jpg, ppm, bmp, pfm, hdr, or exr where that was built in."""
+        """Writes the image; the extension selects the format: png, jpg, ppm, bmp, pfm, hdr, or exr if available."""
         with tempfile.TemporaryDirectory(prefix="raypro-") as folder:
             source = _in_folder(folder, "picture.pfm", self._pfm)
             encoding = {"srgb": self.report.get("settings", {}).get("srgb")}
@@ -134,10 +134,10 @@ class Image:
 def render(scene, *, progress=None, folder=None, **options):
     """Renders a scene, a file or a text, and returns an Image.
 
-    progress: a function of the share that is done, 0 to 1, and a text such as "0:12 left  4.3 Mrays/s", called some ten
-    times a second; True or False: a line of progress or none; by default one in notebooks and on terminals.
-    folder: where relative names start, of files that a text names as well; by default the current folder.
-    Warnings are also given to Python's module warnings. Ctrl-C and what progress raises stop raypro; nothing is left.
+    progress: a function of the completed share, 0 to 1, and a text such as "0:12 left  4.3 Mrays/s", called about ten
+    times per second. True or False: a line of progress or none; by default one in notebooks and on terminals.
+    folder: base of relative names, including those of files in a text; by default the current folder.
+    Warnings are also passed to Python's module warnings. Ctrl-C and exceptions of progress stop raypro, without a trace.
     """
     if progress is None or progress is True:
         progress = _ProgressLine() if progress or _is_watched() else None
@@ -149,7 +149,7 @@ def render(scene, *, progress=None, folder=None, **options):
             report = os.path.abspath(os.path.join(folder or "", os.fspath(wanted)))
         summary, said = _run_scene(scene, [picture, "-report", report], options, folder, progress)
         if not os.path.exists(picture):
-            raise ValueError("these options render no picture; raypro.tell(scene, ...) returns what raypro prints")
+            raise ValueError("these options render no image; raypro.tell(scene, ...) returns the output of raypro")
         pfm, report = pathlib.Path(picture).read_bytes(), json.loads(pathlib.Path(report).read_text(encoding="utf-8"))
         layers = {file.name.split(".")[1]: Image(file.read_bytes()) for file in pathlib.Path(place).glob("*.*.pfm")}
         png = None
@@ -170,25 +170,25 @@ _SHOWN_SCALED = ("depth", "normal", "id")
 
 
 def tell(scene, *, folder=None, **options):
-    """What raypro prints about a scene without a picture: tell(scene, check=True), files=True, advise=True."""
+    """Returns the output of raypro about a scene without an image: tell(scene, check=True), files=True, advise=True."""
     return _run_scene(scene, [], options, folder)[0]
 
 
 def debugpixel(scene, x, y, **options):
-    """The tree of the rays behind a pixel, as text: column x from the left, 0 to width - 1, row y from the bottom.
+    """Returns the tree of the rays behind a pixel: column x from the left, 0 to width - 1, row y from the bottom.
 
-    Options are those of render; width and height say how large the picture is. verbose=True prints all digits.
+    Options are those of render; width and height are the size of the image. verbose=True prints all digits.
     """
     return tell(scene, debugpixel=(x, y), **options)
 
 
 def diff(picture, reference, **options):
-    """How far a picture is from a reference, each an Image or the name of a file: a dict, by rayimg diff -json.
+    """Returns the difference of an image from a reference, each an Image or the name of a file, as rayimg diff -json.
 
     "rmse": of the linear values. "display_rmse": in 255ths, clamped to 0..1. "psnr": in dB, None if both are equal.
     "flip": mean perceived difference, 0 to 1. "largest": the largest difference, its pixel and channel. "bias": of each
-    channel. "failures": which of the limits given, such as fail_rmse=0.01, are exceeded. Options are those of rayimg
-    diff; map="where.png" writes a map.
+    channel. "failures": the limits, such as fail_rmse=0.01, that are exceeded. Options are those of rayimg diff;
+    map="where.png" writes a map.
     """
     with tempfile.TemporaryDirectory(prefix="raypro-") as folder:
         names = [
@@ -202,7 +202,7 @@ def diff(picture, reference, **options):
 
 
 def main():
-    """The command raypro or rayimg of a wheel: becomes the program of its own name."""
+    """Runs raypro or rayimg of a wheel, whichever the command is named after."""
     program = pathlib.Path(__file__).resolve().with_name("raypro_programs") / os.path.basename(sys.argv[0])
     os.execv(program, [str(program), *sys.argv[1:]])
 
@@ -212,7 +212,7 @@ def main():
 
 @functools.lru_cache(maxsize=None)
 def _switches(program):
-    """The options of raypro that take on or off, and those that take nothing, from its help."""
+    """Returns the options of raypro with the values on and off, and those without a value, from its help."""
     text = subprocess.run([program, "-help"], stdout=subprocess.PIPE, text=True, check=True).stdout
     blocks = re.split(r"^  -", text, flags=re.MULTILINE)[1:]
     on_or_off = {block.split()[0] for block in blocks if re.search(r"\bon or off;", block)}
@@ -262,13 +262,14 @@ def _find(program):
     found = shutil.which(program, path=os.pathsep.join(map(str, places))) or (not named and shutil.which(program))
     if found:
         return found
-    lack = f"no {program} in {places[0]}, where RAYPRO says" if named else f"no {program} beside {__file__} nor on PATH"
-    advice = "build it (script/setup.sh), install it, or say where it is: os.environ['RAYPRO'] = '/.../build/raypro'"
+    place = f"{places[0]}, the folder of RAYPRO" if named else f"the folder of {__file__} or on PATH"
+    lack = f"no {program} in {place}"
+    advice = "build it (script/setup.sh), install it, or set its path: os.environ['RAYPRO'] = '/.../build/raypro'"
     raise FileNotFoundError(f"{lack}; {advice}")
 
 
 def _file(name):
-    """A name that raypro does not take for an option, or for its standard input."""
+    """Returns a name that raypro cannot mistake for an option, or for its standard input."""
     name = os.fsdecode(name)
     return os.path.join(".", name) if name.startswith("-") else name
 
@@ -282,7 +283,7 @@ def _run_scene(scene, words, options, folder=None, progress=None):
 
 
 def _run(program, words, text="", folder=None, progress=None, accepted=(0,)):
-    """Runs a program, gives it a text, and returns what it printed as output and as errors."""
+    """Runs a program with a text as input, and returns its standard output and standard error."""
     with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as output:
         given.write(text.encode("utf-8"))
         given.seek(0)
@@ -312,7 +313,7 @@ def _run(program, words, text="", folder=None, progress=None, accepted=(0,)):
 
 
 def _open_terminal():
-    """On a terminal raypro tells its progress ten times a second; where there is none to be had, every five seconds."""
+    """Opens a terminal, on which raypro reports progress ten times per second, or else a pipe: every five seconds."""
     try:
         return os.openpty()
     except OSError:
@@ -320,7 +321,7 @@ def _open_terminal():
 
 
 def _listen(errors, progress):
-    """Reads to the end; passes lines of progress on and returns the others."""
+    """Reads to the end. Passes lines of progress to the function and returns the others."""
     kept, rest, told = [], b"", ""
     while True:
         try:
@@ -353,7 +354,7 @@ def _stop(process):
 
 
 def _split_warnings(said):
-    """Each begins with a line that says so; the lines after it, with the caret, are its own."""
+    """Splits warnings: each begins with a line that says so, followed by its lines with the caret."""
     return [text.strip("\n") for text in re.split(r"^(?=[^\n|]*: warning: )", said, flags=re.MULTILINE) if text.strip()]
 
 
@@ -371,7 +372,7 @@ def _is_watched():
 
 
 class _ProgressLine:
-    """One line that is written over, and taken away at the end."""
+    """A line that is overwritten, and removed at the end."""
 
     def __init__(self):
         self._length = 0

@@ -162,7 +162,7 @@ std::vector<OptionKind> OptionsOfCommands() {
   constexpr KnownTo rayimg = KnownTo::one;
   return {
       {"srgb", rayimg, {}, {}, {}, Flag{AT(srgb)}, "", "",
-       "linear workflow: decode 8 and 16 bit images from sRGB, encode what is shown or written",
+       "linear workflow: decode 8 and 16 bit images from sRGB, encode displayed and written images",
        {"diff", "convert", "resize", "side-by-side", "contact-sheet"}},
       {"reference2", rayimg, {}, {}, {"image"}, FileName{AT(reference2), FileKind::image}, "", "",
        "a second reference from another random seed, for the error without their noise", {"diff"}},
@@ -196,7 +196,7 @@ std::vector<OptionKind> OptionsOfCommands() {
        Whole<1, most_side>(AT(height), "a whole number, 1 to 1000000"), "pixels", "",
        "height of the new image", {"resize"}},
       {"filter", rayimg, {}, {}, {"name"}, OneOfEnum<FilterKind>(AT(filter)), "", "",
-       "what a pixel is the mean of", {"resize"}},
+       "reconstruction filter", {"resize"}},
       {"crop", rayimg, {}, {}, {"x0", "y0", "x1", "y1"}, ray::Rectangle{AT(crop)}, "pixels", "",
        "only columns x0..x1-1 from the left, rows y0..y1-1 from the bottom", {"crop"}},
       {"columns", rayimg, {}, {}, {"n"},

@@ -189,9 +189,9 @@ TEST(Bmp, UnsupportedFeaturesAreNamed) {
       "BMP has compression 1 with 24 bits per pixel; run lengths of 8 and 4 bits and bit fields of 16 and 32 bits are "
       "read");
   EXPECT_EQ(Complaint(Headers(54, 1, 1, 0, 4) + Bytes(2000)),
-            "BMP holds a JPEG instead of pixels, which is not supported");
+            "BMP contains a JPEG instead of pixels, which is not supported");
   EXPECT_EQ(Complaint(Headers(54, 1, 1, 0, 5) + Bytes(2000)),
-            "BMP holds a PNG instead of pixels, which is not supported");
+            "BMP contains a PNG instead of pixels, which is not supported");
   EXPECT_EQ(Complaint(Headers(54, 1, 1, 7) + Bytes(2000)),
             "BMP has 7 bits per pixel; 1, 2, 4, 8, 16, 24 and 32 are read");
   EXPECT_NE(Complaint(Headers(54, 0, 1, 24) + Bytes(2000)), "");

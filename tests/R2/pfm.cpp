@@ -39,7 +39,7 @@ TEST(Pfm, TheFileLengthSeparatesHeaderBlanksFromPixels) {
 TEST(Pfm, SurplusBytesAreReported) {
   const DecodedImage decoded = DecodeImage(ToBytes("Pf 1 1 1\r\n") + one + Bytes{0, 0, 0});
   EXPECT_EQ(decoded.image.At(0, 0).g, 1);
-  EXPECT_EQ(decoded.warnings, std::vector<std::string>{"PFM has 3 bytes behind its image, which are ignored"});
+  EXPECT_EQ(decoded.warnings, std::vector<std::string>{"PFM has 3 bytes after its image, which are ignored"});
 }
 
 TEST(Pfm, IsWrittenByteForByteAsTheFormatSays) {

@@ -147,7 +147,7 @@ TEST(Png, AMissingEndIsReportedAndACutChunkRefused) {
     EXPECT_EQ(Complaint(without(bytes)).find("2 of 2 rows"), std::string::npos) << bytes;
   }
   EXPECT_EQ(DecodeImage(whole + Bytes{0}).warnings,
-            std::vector<std::string>{"PNG has 1 byte behind its image, which is ignored"});
+            std::vector<std::string>{"PNG has 1 byte after its image, which is ignored"});
 }
 
 // Adam7: of three by three pixels, pass 1 has (0,0), pass 5 (0,2) and (2,2), pass 4 (2,0), pass 6 (1,0) (1,2), 7 row 1.

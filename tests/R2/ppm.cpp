@@ -54,15 +54,15 @@ TEST(Ppm, TheFileLengthSeparatesHeaderBlanksFromPixels) {
 TEST(Ppm, OneBlankEndsTheHeaderOfAnOverlongFile) {
   const DecodedImage decoded = DecodeImage(ToBytes("P5 2 1 255 ") + Bytes{'\n', 51, 1, 2});
   EXPECT_EQ(ToByte(decoded.image.At(0, 0).r), 10);
-  EXPECT_EQ(decoded.warnings, std::vector<std::string>{"PPM has 2 bytes behind its image, which are ignored"});
+  EXPECT_EQ(decoded.warnings, std::vector<std::string>{"PPM has 2 bytes after its image, which are ignored"});
 }
 
 TEST(Ppm, SurplusBytesAreReported) {
   const auto warnings = [](const std::string& text) { return DecodeImage(ToBytes(text)).warnings; };
   EXPECT_TRUE(warnings("P2 1 1 9 5\n\n # the end\n").empty());
-  EXPECT_EQ(warnings("P2 1 1 9 5 6"), std::vector<std::string>{"PPM has 1 byte behind its image, which is ignored"});
+  EXPECT_EQ(warnings("P2 1 1 9 5 6"), std::vector<std::string>{"PPM has 1 byte after its image, which is ignored"});
   EXPECT_EQ(warnings("P5 1 1 255\nabc"),
-            std::vector<std::string>{"PPM has 2 bytes behind its image, which are ignored"});
+            std::vector<std::string>{"PPM has 2 bytes after its image, which are ignored"});
   EXPECT_EQ(warnings("P5 1 1 255\naP5 1 1 255\nb"),
             std::vector<std::string>{"PPM contains further images after the first, which are ignored"});
 }

@@ -80,7 +80,7 @@ class Pictures(Folder):
             self.assertTrue(head.startswith(f"pixel {x} {y} of 24 x 18"), head)
             for told, value in zip(head.split(": ")[1].split(), image.pixel(x, y)):
                 self.assertAlmostEqual(float(told), float(value), places=4)
-        with self.assertRaisesRegex(IndexError, "no pixel 24 0 in a picture of 24 x 18"):
+        with self.assertRaisesRegex(IndexError, "no pixel 24 0 in an image of 24 x 18"):
             image.pixel(24, 0)
 
     def test_an_image_knows_the_rays_behind_its_pixels(self):
@@ -121,7 +121,7 @@ class Pictures(Folder):
         depth = raypro.render(HELLO, layers="depth", **SIZE).layers["depth"].pixel(12, 4)[0]
         self.assertAlmostEqual(math.dist(eye, hit), float(depth), places=3)
 
-    def test_a_saved_picture_is_compared_with_one_at_hand(self):
+    def test_a_saved_image_is_compared_with_one_at_hand(self):
         image = raypro.render(HELLO, **SIZE)
         image.save(self.folder + "/out.pfm")
         self.assertEqual(raypro.diff(self.folder + "/out.pfm", image)["rmse"], 0)
@@ -241,14 +241,14 @@ class Mistakes(Folder):
 
     def test_a_missing_program_says_what_to_do(self):
         with mock.patch.dict(os.environ, RAYPRO=self.folder + "/raypro"):
-            with self.assertRaisesRegex(FileNotFoundError, "where RAYPRO says; build it"):
+            with self.assertRaisesRegex(FileNotFoundError, "the folder of RAYPRO; build it"):
                 raypro.render(BALL)
         moved = mock.patch.object(raypro, "__file__", "/nowhere/raypro.py")
         with mock.patch.dict(os.environ, {"PATH": self.folder}, clear=True), moved:
-            with self.assertRaisesRegex(FileNotFoundError, "nor on PATH; build it"):
+            with self.assertRaisesRegex(FileNotFoundError, "or on PATH; build it"):
                 raypro.render(BALL)
 
-    def test_programs_are_found_beside_installed_and_on_the_path(self):
+    def test_programs_are_found_nearby_installed_and_on_the_path(self):
         for place, package in (("raypro_programs", ""), ("bin", "share/raypro/python"), ("build", "share/python")):
             folder = pathlib.Path(self.folder, place + "!")
             (folder / place).mkdir(parents=True)

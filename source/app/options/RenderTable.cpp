@@ -323,7 +323,7 @@ std::vector<OptionKind> QualityOptions() {
   return {
       {"quality", raypro, samples | ElsewhereCalled{"preset"},
        {}, {"name"}, OneOfNames(AT(quality), PresetNames), "", "quality",
-       "a preset (raypro -list presets); options given besides override its settings"},
+       "a preset (raypro -list presets); other options override its settings"},
       {"time", raypro, budget | changes_on_resume | ElsewhereCalled{"T", "timeout"},
        {}, {"t"}, WordOf<ReadDuration, ShowDuration>(AT(render.budget.seconds), duration_range),
        "", "quality", "time limit, from the start of the program to the image written"},
@@ -344,7 +344,7 @@ std::vector<OptionKind> QualityOptions() {
       {"adaptive", both, budget | in_scenes | before_budgets |
        Needs{needs::error_of_tiles, needs::samples_of_neighbors},
        {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "quality",
-       "auto, tile: with -error, refine only blocks above it; neighbors: only blocks of unlike pixels"},
+       "auto, tile: with -error, refine only blocks above it; neighbors: only uneven blocks"},
       {"reference", raypro, run | one_image | whole_image,
        {}, {"file[,file2]"}, FileList{AT(files.reference), FileKind::image}, "", "quality",
        "print the true error against an image, or two independent ones, of the same scene"},
@@ -514,7 +514,7 @@ const Program Program::raypro{
         "Renders a scene file; the extensions choose the formats (raypro -list). The name - is standard input as a "
         "scene,\n"
         "in .scn, and standard output as an image, in PNG. A scene or a mesh that is named alone is rendered to a "
-        "PNG of\nits name beside it.\n"
+        "PNG of\nits name in its folder.\n"
         "An image has 1024 x 1024 pixels of 16 samples each, unless the scene or an option says otherwise.\n",
     .examples =
         "  raypro scenes/hello.scn hello.jpg\n"

@@ -84,7 +84,7 @@ std::vector<Knob> KnobsOfLight(const SceneFeatures& has, const RenderSettings& r
   };
 }
 
-/// The predicted end of a render with some settings, at which it claims the requested error.
+/// The predicted end of a render with some settings, at which its estimate meets the requested error.
 struct Forecast {
   Settings settings;
   double samples = 0, seconds = 0;  // per pixel; of one processor, from the start of the program to the written file
@@ -219,7 +219,7 @@ class Advisor {
     return name + column(samples, 12) + column(seconds, 12) + "\n";
   }
   static std::string Row(const Forecast& forecast) {
-    return Line(forecast.settings.empty() ? "as asked" : Typed(forecast.settings), NumberText(forecast.samples),
+    return Line(forecast.settings.empty() ? "as requested" : Typed(forecast.settings), NumberText(forecast.samples),
                 NumberText(forecast.seconds));
   }
   std::string Target() const { return ErrorText(target_.value, target_.unit); }
@@ -228,16 +228,16 @@ class Advisor {
     const std::string parts = squares_.size() == 1 && squares_[0] == RegionOf(options_.render)
                                   ? "all of the image"
                                   : Counted(squares_.size(), "square") + " of 16x16 pixels";
-    return "From " + parts + ": until an error below " + Target() +
-           " is claimed, samples per pixel and\n"
-           "seconds of one processor, from the start of the program to the file:\n" +
+    return "From " + parts + ": samples per pixel and seconds of one processor, from the\n"
+           "start of the program to the file, until the estimated error is below " + Target() + ":\n" +
            Line("settings", "samples", "seconds");
   }
 
   std::string Conclusion() const {
-    if (IsNoiseless()) return "No noise was found: one sample per pixel shows what there is.\n";
+    if (IsNoiseless()) return "No noise was found: one sample per pixel suffices.\n";
     if (!std::isfinite(best_.seconds))
-      return "No settings reach " + Target() + (options_.render.samples > 1 ? " with so few -samples" : "") + ".\n";
+      return "No settings reach " + Target() + (options_.render.samples > 1 ? " with this number of -samples" : "") +
+             ".\n";
     std::string add = Typed(best_.settings);
     if (!has_target_) add += (add.empty() ? "-error " : " -error ") + ShowErrorTarget(target_);
     if (best_.settings.empty())

@@ -18,7 +18,7 @@ double SecondsToFilter(const RenderSettings& settings);
 
 /// Predicts the time from the last sample of an image to its denoised version. It denoises small parts of the image,
 /// again whenever passes have added a third of its samples.
-///   accuracy   see docs/accuracy.md: rays within a few percent; the time per ray is as steady as the machine
+///   accuracy   see docs/notes/accuracy.md: rays within a few percent; the time per ray is as steady as the machine
 class DenoiseForecast {
  public:
   /// All arguments must outlive it.

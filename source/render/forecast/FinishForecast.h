@@ -19,7 +19,7 @@ Budget BudgetWithFinish(const RenderSettings& settings, const std::function<void
 
 /// Predicts the time from an image's last sample to the finished file. It composes and encodes parts of the image,
 /// since the time depends on the visible scene.
-///   accuracy   measured in docs/accuracy.md
+///   accuracy   measured in docs/notes/accuracy.md
 class FinishForecast {
  public:
   /// Creates a forecast.

@@ -29,7 +29,7 @@ struct AdvisedSamples {
 
 /// Returns the rows of the table that -advise prints.
 std::vector<AdvisedSamples> SamplesOfAdvice(const std::string& advice) {
-  static const std::regex row(R"((as asked|-\w+ \w+) +([0-9.]+) +[0-9.]+)");
+  static const std::regex row(R"((as requested|-\w+ \w+) +([0-9.]+) +[0-9.]+)");
   std::vector<AdvisedSamples> rows;
   std::istringstream lines(advice);
   std::smatch found;
@@ -45,7 +45,7 @@ TEST(Transcripts, AdviceOfTheDocsIsTheProgramsOutput) {
   const std::string shown = TranscriptOf(ReadFile(project::Root() / "docs/accuracy.md"), command);
   const std::string scene = (project::Root() / "scenes/hello.scn").string();
   const std::string now = RunProgram({scene, "-width", "512", "-height", "512", "-advise"}).output;
-  const auto heading_of = [](const std::string& text) { return text.substr(0, text.find("\nas asked")); };
+  const auto heading_of = [](const std::string& text) { return text.substr(0, text.find("\nas requested")); };
   // Much slower or faster machines have time for fewer or more squares, which need other samples.
   if (!now.starts_with("From 256 squares"))
     GTEST_SKIP() << "not as fast as the docs' machine: " << now.substr(0, now.find('\n'));

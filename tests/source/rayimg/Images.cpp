@@ -66,7 +66,7 @@ TEST(RayimgInfo, AnythingUnusualAboutAFileIsPrintedOnce) {
   const TemporaryFolder folder;
   const std::string plain = Save(folder / "a.pfm", Filled(2, 2, {0.5, 1, 0}));
   const std::string odd = WriteFile(folder / "b.pfm", ReadFile(plain) + "!");
-  const std::string warning = odd + ": warning: PFM has 1 byte behind its image, which is ignored\n";
+  const std::string warning = odd + ": warning: PFM has 1 byte after its image, which is ignored\n";
   EXPECT_EQ(Rayimg({"info", plain, odd}).error, warning);
   // Images are read twice.
   const Finished merged = Rayimg({"merge", plain, odd, "-force", "-out", folder / "c.pfm"});

@@ -62,9 +62,9 @@ TEST(Advice, AnImageWithoutNoiseIsReported) {
 }
 
 TEST(Advice, TheTargetIsTheRequestedErrorInItsUnit) {
-  EXPECT_TRUE(Has(AdviceOn(soft_light + ball), " below 2/255 "));
+  EXPECT_TRUE(Has(AdviceOn(soft_light + ball), " below 2/255:"));
   const std::string relative = AdviceOn(soft_light + ball, {"error", "3%"});
-  EXPECT_TRUE(Has(relative, " below 3% ")) << relative;
+  EXPECT_TRUE(Has(relative, " below 3%:")) << relative;
   EXPECT_FALSE(Has(relative, "-error 2")) << relative;
 }
 
@@ -75,7 +75,7 @@ struct AdvisedRow {
 };
 
 std::vector<AdvisedRow> RowsOf(const std::string& advice) {
-  static const std::regex row(R"((as asked|-[\w -]*\w) +(?:[0-9.]+|never) +([0-9.]+|never))");
+  static const std::regex row(R"((as requested|-[\w -]*\w) +(?:[0-9.]+|never) +([0-9.]+|never))");
   std::vector<AdvisedRow> rows;
   std::istringstream lines(advice);
   std::smatch found;
@@ -95,7 +95,7 @@ TEST(Advice, TheRecommendationIsTheFastestOfItsRows) {
   ASSERT_NE(add, std::string::npos) << text;
   const auto words = text.substr(add + 5, text.find('\n', add) - add - 5);
   const auto advised = std::ranges::find_if(rows, [&](const AdvisedRow& row) {
-    return (row.settings == "as asked" ? "-error 2" : row.settings + " -error 2") == words || row.settings == words;
+    return (row.settings == "as requested" ? "-error 2" : row.settings + " -error 2") == words || row.settings == words;
   });
   ASSERT_NE(advised, rows.end()) << text;
   constexpr double noticeable = 1.1, rounding = 1.1;  // of two digits
@@ -108,7 +108,7 @@ TEST(Advice, SecondsCountFromTheStartOfTheProgram) {
 
 TEST(Advice, AnErrorOutOfReachOfTheSamplesIsReported) {
   const std::string text = AdviceOn(soft_light + ball, {"samples", "8", "mode", "path", "error", "0.01"});
-  EXPECT_TRUE(Has(text, "as asked") && Has(text, "never")) << text;
+  EXPECT_TRUE(Has(text, "as requested") && Has(text, "never")) << text;
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(DenoiseForecast, KnowsNothingOfGuidesBeforeBothStreamsHaveSamples) {
 }
 
 // Measured by the clock, so that only large deviations are faults: other programs may use the processor. See
-// docs/accuracy.md for the accuracy.
+// docs/notes/accuracy.md for the accuracy.
 TEST(DenoiseForecast, PredictsTheOrderOfMagnitude) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
