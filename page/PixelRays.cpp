@@ -184,8 +184,8 @@ std::string RaysInImage(const PixelTrace& trace, const World& world, const Accel
   std::string json;
   for (const std::size_t i : TreeOrder(trace.rays, most_rays_of_tree)) {
     const RecordedRay& ray = trace.rays[i];
-    json += (json.empty() ? "[[" : ",[") + std::to_string(static_cast<int>(ray.kind)) + "," + std::to_string(ray.depth) +
-            writer.LinesOf(ray) + "]";
+    json += json.empty() ? "[[" : ",[";
+    json += std::to_string(static_cast<int>(ray.kind)) + "," + std::to_string(ray.depth) + writer.LinesOf(ray) + "]";
   }
   return json.empty() ? "[]" : json + "]";
 }

@@ -339,8 +339,8 @@ EXPORT("film") int FilmAs(const char* name) {
   });
 }
 
-/// The text is the tree of rays of a pixel of the whole image, columns from the left and rows from the bottom. The bytes
-/// are the same rays as lines in the image, see PixelRays.h.
+/// The text is the tree of rays of a pixel of the whole image, columns from the left and rows from the bottom. The
+/// bytes are the same rays as lines in the image, see PixelRays.h.
 EXPORT("debug_pixel") int DebugPixelAt(int x, int y) {
   return Guarded([&] {
     PixelRays rays = RaysThrough(Opened(), x, y);

@@ -13,26 +13,21 @@ raypro=${RAYPRO:-build/raypro}
 export RAYIMG="${RAYIMG:-$PWD/build/rayimg}"
 small=
 if [ "${1:-}" = -small ]; then small=yes; shift; fi
-[ $# -gt 0 ] || set -- glass flake stairs cradle terrace sponge orrery valley crystal cost library chess cornell
+[ $# -gt 0 ] || set -- bearing chess cornell cradle glass library orrery valley
 
 sh script/art/light.sh
 for name in "$@"; do
   scene=art/$name.scn size="-width 1920 -height 1080" mode=path quality=88
   case $name in
+    bearing) samples=24 options="-denoise -max_depth 6 -aperture 0.07 -focus 10.9" parts= ;;
     chess) samples=48 options="-denoise -max_depth 6 -aperture 0.06 -focus 10.5" parts="glass chess" ;;
-    cornell) samples=32 options="-denoise -max_depth 8" parts= size="-width 1080 -height 1080" ;;
-    cost) samples=2 options="-fresnel -max_depth 24" parts=crystal scene=art/crystal.scn mode=heat quality=60 ;;
+    cornell) samples=128 options="-denoise -fresnel -max_depth 12" parts= size="-width 1080 -height 1080" ;;
     cradle) samples=64 options="-denoise -max_depth 6 -aperture 0.05 -focus 11.3 -clamp samples" parts="glass cradle" ;;
-    crystal) samples=64 options="-denoise -fresnel -max_depth 24" parts=crystal ;;
-    flake) samples=48 options="-max_depth 6 -clamp samples" parts=flake ;;
     glass) samples=96 options="-denoise -fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass ;;
     library) samples=48 options="-denoise -max_depth 8" parts=library ;;
     orrery) samples=64 options="-max_depth 4 -clamp samples -error 2" parts=orrery ;;
-    sponge) samples=32 options="-denoise -max_depth 5" parts=sponge ;;
-    stairs) samples=40 options="-denoise -max_depth 6" parts=stairs ;;
-    terrace) samples=12 options="-denoise -fresnel -max_depth 10" parts=terrace ;;
     valley) samples=32 options="-max_depth 3" parts=valley ;;
-    *) echo "unknown picture '$name'; pictures are chess, cornell, cost, cradle, crystal, flake, glass, library, orrery, sponge, stairs, terrace, valley" >&2; exit 2 ;;
+    *) echo "unknown image '$name'; images are bearing, chess, cornell, cradle, glass, library, orrery, valley" >&2; exit 2 ;;
   esac
   for part in $parts; do sh "script/art/$part.sh"; done
   out=art/$name.jpg

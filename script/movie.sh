@@ -2,7 +2,7 @@
 # Makes a movie of any scene: the camera orbits it or moves elsewhere, or an option of raypro, or a variable of the scene,
 # changes over the frames.
 #
-#     script/movie.sh -turntable art/flake.scn art/movie.avi -frames 72 -samples 16 -srgb
+#     script/movie.sh -turntable art/cradle.scn art/movie.avi -frames 72 -samples 16 -srgb
 #     script/movie.sh -to "0 1 3  0 0 -1  0 1 0  0.4" scenes/hello.scn build/closer.avi
 #     script/movie.sh -sweep focus 3 9 scenes/lens.scn build/focus.avi -aperture 0.12 -samples 64
 #     script/movie.sh -define t 0 1 pendulum.scn build/pendulum.webp -hosts lab.txt

@@ -77,13 +77,24 @@ END {
   print "<title>" html(title) "</title>\n<link rel=\"stylesheet\" href=\"style.css\">"
   print "<link rel=\"icon\" href=\"data:,\">"
   print "<script src=\"page.js\" defer></script>\n</head>\n<body>\n<header>\n<h1>" html(title) "</h1>"
-  print "<p class=\"pages\"><a href=\"assignment3.html\">Features</a>"
-  print "<a href=\"courses.html\">Other courses</a>"
-  print "<a href=\"troubleshooting.html\">Troubleshooting</a> <a href=\"../scenes/README.md\">Scenes</a>"
+  print "<p class=\"pages\">" menu()
+  print "<a href=\"../scenes/README.md\">Scenes</a>"
   print "<a href=\"../art/README.md\">Art</a> <a href=\"../README.md\">Readme</a></p>"
   print "</header>\n<nav aria-label=\"Sections\">\n<ul>\n" nav "</ul>\n</nav>\n<main>"
   printf "%s", body
   print (open_section ? "</section>\n" : "") "</main>\n</body>\n</html>"
+}
+
+# Links to the pages of the writeup; the one that is shown is marked.
+function menu(   pages, n, i, name, links) {
+  n = split("assignment3 Assignment,shapes Shapes,light Light,surfaces Surfaces,camera Camera,viewer Viewer," \
+            "accuracy Accuracy,courses Other courses,troubleshooting Troubleshooting", pages, ",")
+  for (i = 1; i <= n; ++i) {
+    name = pages[i]
+    sub(/ .*/, "", name); sub(/^[^ ]* /, "", pages[i])
+    links = links (i > 1 ? "\n" : "") "<a href=\"" name ".html\"" (name == page ? " aria-current=\"page\"" : "") ">" pages[i] "</a>"
+  }
+  return links
 }
 
 function put(text) { body = body text "\n" }
@@ -264,7 +275,7 @@ function readable(name) { gsub(/_/, " ", name); return name }
 
 function csv_table(file, text,   i) {
   read_csv(file)
-  if (lines < 2) { put("<p>Not measured here.</p>"); return }
+  if (lines < 2) { print "page.awk: nothing is measured in " file > "/dev/stderr"; failed = 1; exit 1 }
   table_start(text)
   put("<thead>" row_of(1, "th") "</thead><tbody>")
   for (i = 2; i <= lines; ++i) put(row_of(i, "td"))
@@ -298,7 +309,7 @@ function sentence(name,   text, c, i, is_break) {
 
 function test_table(text,   i) {
   read_csv("extremes.csv")
-  if (!lines) { put("<p>Not measured here.</p>"); return }
+  if (!lines) { print "page.awk: nothing is measured in extremes.csv" > "/dev/stderr"; failed = 1; exit 1 }
   folded_start(text)
   put("<thead><tr><th>what the test says</th><th>result</th><th>seconds</th></tr></thead><tbody>")
   for (i = 2; i <= lines; ++i)

@@ -30,7 +30,7 @@ done
 if [ $# -eq 0 ]; then
   for name in scenes/hello scenes/texture scenes/bump scenes/materials scenes/specular scenes/emission scenes/coat \
               scenes/glass scenes/environment scenes/environment_probe scenes/spot_light scenes/area_light \
-              scenes/sphere_light scenes/many_lights scenes/smooth art/cradle art/glass art/stairs \
+              scenes/sphere_light scenes/many_lights scenes/smooth art/cradle art/glass \
               writeup/scenes/still writeup/scenes/lamp; do
     set -- "$@" "$here/$name.scn"
   done

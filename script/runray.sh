@@ -21,7 +21,7 @@ table=script/pictures.txt
 build=build/writeup
 pictures=writeup/pictures
 measured=writeup/measured
-texts="assignment3 courses troubleshooting"
+texts="assignment3 shapes light surfaces camera viewer accuracy courses troubleshooting"
 
 # Rows of the table without comments; fields are parted by tabs.
 rows() { awk -F ' *[|] *' -v OFS='\t' '/^#/ || NF < 7 { next } { $1 = $1; print }' $table; }

@@ -41,6 +41,7 @@ movie.sh by tests/source/app/Scripts.cpp
 mutations.sh -count 1 -list
 other_architecture.sh night -emulator env -program $RAYPRO scenes/sphere.scn
 preview_difference.sh -size 16 scenes/hello.scn
+release.sh by tests/fresh/README.md
 robustness.sh night -kills 1 -interrupts 1 -allocations 1
 run_tests.sh by Makefile
 runray.sh by Makefile
@@ -80,6 +81,16 @@ done < "$work/table"
 [ $# = 0 ] || exit $failed
 
 [ -z "${RAYPRO_NIGHT-}" ] || try sh tests/fresh/install.sh "$build"
+# A release is refused by each thing that is missing.
+if git rev-parse --git-dir > /dev/null 2>&1; then
+  git clone -q . "$work/clone"
+  echo "maintainer Nobody <nobody@maintainer.invalid>" > "$work/clone/script/release_fields.txt"
+  if "$work/clone/script/release.sh" "$work/release" > "$work/log" 2>&1; then fail "release.sh refuses nothing"; fi
+  for problem in "uncommitted changes" "not have the tag" "maintainer is not filled in" "has no homepage"; do
+    grep -q "$problem" "$work/log" || fail "release.sh does not report: $problem"
+  done
+  [ ! -e "$work/release/SHA256SUMS" ] || fail "release.sh builds what it refuses"
+fi
 # Commands of the first column of a table, and the list of the Makefile: targets that make knows, files that can be run.
 make -pq BUILD="$build" nothing 2> /dev/null | sed -n 's/^\([a-z][-a-z]*\):.*/\1/p' > "$work/targets" || true
 sed -n '/^| command/,/^$/s/^| \(`.*`\) |.*/\1/p' CONTRIBUTING.md script/README.md docs/building.md | tr '`' '\n' |

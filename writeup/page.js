@@ -53,7 +53,14 @@ if (navigator.clipboard)
     command.append(button);
   }
 
-// On a phone every section but the first is folded to its heading; a link to it, or a tap, opens it.
+// On a phone, and on a page of more than 6,000 pixels, every section but the first is folded to its heading; a link to it, or
+// a click, opens it.
+const isNarrow = matchMedia("(max-width: 45rem)");
+const longest = 6000; // pixels
+const isLong = document.documentElement.scrollHeight > longest;
+const mayFold = () => document.body.classList.toggle("foldable", isNarrow.matches || isLong);
+isNarrow.addEventListener("change", mayFold);
+mayFold();
 const sections = [...document.querySelectorAll("main > section[id]")];
 for (const section of sections.slice(1)) {
   const heading = section.querySelector("h2");

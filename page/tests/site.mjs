@@ -46,7 +46,7 @@ test("pages have titles, and images say what they show", () => {
 });
 
 test("nearly every rendered image of the writeup can be edited", () => {
-  const text = textOf("writeup/assignment3.html");
+  const text = pages.filter((page) => page.startsWith("writeup/")).map(textOf).join("");
   const commands = all(/<code class="command">build\/raypro /g, text).length,
     links = all(/class="edit"/g, text).length;
   assert(links >= 0.9 * commands && links > 50, `${links} of ${commands}`);
@@ -96,9 +96,27 @@ test(
         );
         assert(width <= 390, `${page} is ${width} pixels wide`);
         assert(height < 60_000, `${page} is ${height} pixels high`);
-        if (page.startsWith("writeup")) assert(height < 12_000, `${page} is ${height} pixels high`);
+        if (page.startsWith("writeup")) assert(height < 7_000, `${page} is ${height} pixels high`);
         assert.deepEqual(await browser.value(faint), [], `${page}, ${scheme}`);
       }
+  },
+);
+
+test(
+  "no page of the writeup is long, and its images fill wide windows",
+  { skip: !CHROMIUM && "there is no Chromium" },
+  async () => {
+    for (const page of pages.filter((page) => page.startsWith("writeup/"))) {
+      await browser.open(server.address + page, { width: 1280 });
+      await browser.until("document.readyState === 'complete'");
+      const height = await browser.value("document.documentElement.scrollHeight");
+      assert(height <= 6000, `${page} is ${height} pixels high`);
+      await browser.open(server.address + page, { width: 2560 });
+      await browser.until("document.readyState === 'complete'");
+      const right = await browser.value(`Math.max(...[...document.querySelectorAll("main *")]
+        .map(e => e.getBoundingClientRect().right))`);
+      assert(right > 2400, `${page} ends at ${right}`);
+    }
   },
 );
 
@@ -106,7 +124,7 @@ test(
   "an edit link opens the image's scene with its options",
   { skip: !CHROMIUM && "there is no Chromium" },
   async () => {
-    await browser.open(server.address + "writeup/assignment3.html");
+    await browser.open(server.address + "writeup/camera.html");
     await browser.until("document.querySelector('.edit')");
     const link = await browser.value(
       "[...document.querySelectorAll('.edit')].find(a => a.hash.includes('depth')).href",

@@ -67,17 +67,9 @@ make_map studio 512 '
     lamp(between(lon > 0 ? 180 - lon : 180 + lon, -40, 40, 6) * between(lat, 20, 50, 6), 1.6, 1.5, 1.5)
   }'
 
-# After sunset: orange low all around, blue above, dark ground.
-make_map dusk 1024 '
-  function radiance(   glow) {
-    if (lat < 0) lat = -4 * lat  # haze, then dark ground
-    glow = exp(-lat / 9)
-    r = 0.050 + 1.10 * glow; g = 0.085 + 0.46 * glow; b = 0.22 + 0.26 * glow
-  }'
-
 # A jeweller's room: a large warm lamp above on the left, cold ones on the right and behind the viewer, and a glow behind
 # what is looked at. None is bright: what cut glass mixes from them has little noise.
-jewels='
+make_map jewels 512 '
   function radiance(   up, glow) {
     up = between(lat, 0, 200, 90); glow = lat > 0 ? exp(-lat / 14) : exp(lat / 3)
     r = mix(0.010, 0.03, up) + 0.10 * glow; g = mix(0.014, 0.06, up) + 0.26 * glow; b = mix(0.03, 0.14, up) + 0.36 * glow
@@ -85,13 +77,18 @@ jewels='
     lamp(patch(62, 88, -2, 62, 4), 1.0, 1.6, 2.4)
     lamp(between(lon > 0 ? 180 - lon : 180 + lon, -35, 35, 6) * patch(-180, 180, 24, 58, 6), 1.8, 1.3, 1.6)
   }'
-make_map jewels 512 "$jewels"
-make_map jewels_fine 1024 "$jewels"  # where it is itself seen, row by row
 
-# A clear day: white above the sea, blue higher up, and a ground that the sun has lit.
-make_map day 256 '
-  function radiance(   haze) {
-    haze = lat > 0 ? exp(-lat / 14) : 1
-    r = mix(0.13, 0.58, haze); g = mix(0.26, 0.68, haze); b = mix(0.58, 0.80, haze)
-    if (lat < 0) { haze = exp(lat / 6); r = mix(0.26, r, haze); g = mix(0.24, g, haze); b = mix(0.21, b, haze) }
+# For the writeup: a sky with a bright patch, and a tower in each direction by which a reflection can be checked: red in front
+# (longitude 0), green to the right, blue behind the viewer, yellow to the left.
+make_map ../../writeup/scenes/landmarks 128 '
+  function tower(at, red, green, blue,   away) {
+    away = lon - at; if (away < -180) away += 360
+    lamp(away > -9 && away < 9 && lat > 0 && lat < 24, red, green, blue)
+  }
+  function radiance(   up) {
+    up = lat > 0 ? lat / 90 : 0
+    r = mix(0.62, 0.16, up); g = mix(0.72, 0.30, up); b = mix(0.85, 0.68, up)
+    if (lat < 0) { r = 0.16; g = 0.13; b = 0.11 }
+    tower(0, 0.9, 0.05, 0.03); tower(90, 0.05, 0.6, 0.08); tower(180, 0.06, 0.12, 0.9); tower(-90, 0.95, 0.7, 0.05)
+    lamp(patch(-150, -115, 42, 66, 6), 13, 11.8, 10)
   }'

@@ -2,7 +2,7 @@
 # The two commands in a bare system; see README.md beside this file.
 set -eu
 
-usage() { echo "usage, as root: tests/fresh/run.sh FOLDER [none|sudo|root]..." >&2; exit 2; }
+usage() { echo "usage, as root: tests/fresh/run.sh FOLDER [none|sudo|root|release]..." >&2; exit 2; }
 
 [ $# -gt 0 ] && [ "$(id -u)" = 0 ] || usage
 tree=$(cd "$(dirname "$0")/../.." && pwd)
@@ -11,7 +11,7 @@ folder=$(cd "$1" && pwd)
 shift
 [ $# -gt 0 ] || set -- none sudo root
 for rights in "$@"; do
-  case "$rights" in none|sudo|root) ;; *) usage ;; esac
+  case "$rights" in none|sudo|root|release) ;; *) usage ;; esac
 done
 tar=$folder/bookworm.tar
 times=$folder/seconds
@@ -112,6 +112,43 @@ with_sudo() {
   setup_again as_user 'sudo script/setup.sh'
   expect_picture
   expect_owned_by_user
+}
+
+# What script/release.sh has made, in the folder RELEASE or build/release: the tarball before any package is there, then
+# the wheel, then the Debian package.
+with_release() {
+  release=${RELEASE:-$tree/build/release}
+  [ -s "$release/SHA256SUMS" ] || fail "no release in $release; script/release.sh makes it"
+  (cd "$release" && sha256sum -c --quiet SHA256SUMS) || fail "checksums"
+  mkdir "$root/home/user/release"
+  cp "$release"/* "$root/home/user/release"
+  in_root chown -R user:user /home/user/release
+  as_release() { in_root su user -s /bin/sh -c "cd /home/user/release && $1"; }
+  scene=/home/user/tree/scenes/hello.scn
+  small="-width 32 -height 24 -quiet"
+
+  say "the tarball"
+  as_release "tar -xzf raypro-*-linux-*.tar.gz && raypro-*-linux-*/bin/raypro $scene tarball.ppm $small"
+
+  say "the wheel"
+  in_root sh -c 'apt-get update; apt-get install -y --no-install-recommends python3-venv' >"$folder/log" 2>&1 ||
+    { cat "$folder/log"; fail "no python3-venv"; }
+  as_release "python3 -m venv venv && venv/bin/pip install --no-index raypro-*.whl"
+  as_release "venv/bin/raypro $scene wheel.ppm $small && venv/bin/rayimg info wheel.ppm"
+  as_release "venv/bin/python -c \"import raypro; print(raypro.render('$scene', width=32, height=24).width)\"" | grep -qx 32 ||
+    fail "import raypro"
+
+  say "the Debian package"
+  timed "installing the package" in_root sh -c 'apt-get install -y --no-install-recommends /home/user/release/raypro_*.deb'
+  as_release "raypro /usr/share/raypro/scenes/hello.scn package.ppm $small && rayimg info package.ppm && raygrade -version"
+  in_root sh -c 'apt-get remove -y raypro' >"$folder/log" 2>&1 || { cat "$folder/log"; fail "removing the package"; }
+  for made in wheel package; do as_release "cmp tarball.ppm $made.ppm" || fail "$made renders other bytes"; done
+
+  say "the sources and the site"
+  sources=$(cd "$release" && printf '%s\n' *.tar.gz | grep -x 'raypro-[0-9.]*\.tar\.gz') || fail "no sources"
+  as_release "tar -xzf $sources && [ -x ${sources%.tar.gz}/script/setup.sh ]" || fail "the sources"
+  as_release "tar -xzf raypro-*-site.tar.gz && grep -q raypro.wasm site/web/page.js && [ -s site/index.html ]" || fail "the site"
+  as_release "[ -s notes.md ]" || fail "no notes"
 }
 
 with_root() {

@@ -42,6 +42,13 @@ class RayviewScripts : public ::testing::Test {
     return changed;
   }
 
+  /// Renders pro.png as a window of that size does. Returns the exit status.
+  int RenderLikeTheWindow() const {
+    const std::vector<std::string> words{scene,  folder / "pro.png", "-width", "96", "-height", "64", "-samples", "16",
+                                         "-quiet"};
+    return testing::RunProgram(words).status;
+  }
+
   TemporaryFolder folder;
   const std::string scene = folder / "hello.scn";
   std::string before;
@@ -60,8 +67,7 @@ TEST_F(RayviewScripts, TheRedConeTurnsGreenAndMovesAndIsSaved) {
   EXPECT_NE(changed[0].find("0.1 0.6 0.15"), std::string::npos) << changed[0];
   EXPECT_TRUE(changed[0].ends_with("# 3 red")) << changed[0];
   EXPECT_EQ(changed[1], "cone      3    2.5 0.9 -1.1   0.75 1.8");
-  ASSERT_EQ(
-      testing::RunProgram({scene, folder / "pro.png", "-width", "96", "-height", "64", "-samples", "16", "-quiet"}).status, 0);
+  ASSERT_EQ(RenderLikeTheWindow(), 0);
   EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "pro.png").image);
 }
 
@@ -117,8 +123,7 @@ TEST_F(RayviewScripts, FocusOnAPointIsWrittenToTheScene) {
   const std::string after = ReadFile(scene);
   EXPECT_NE(after.find("\nset focus "), std::string::npos) << after;
   EXPECT_NE(after.find("\nset aperture "), std::string::npos);
-  ASSERT_EQ(
-      testing::RunProgram({scene, folder / "pro.png", "-width", "96", "-height", "64", "-samples", "16", "-quiet"}).status, 0);
+  ASSERT_EQ(RenderLikeTheWindow(), 0);
   EXPECT_EQ(testing::Decode(folder / "view.png").image, testing::Decode(folder / "pro.png").image);
 }
 
