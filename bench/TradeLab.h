@@ -179,7 +179,7 @@ class Lab {
     return errors;
   }
 
-  static R2::Image ReadPicture(const std::filesystem::path& file) {
+  static R2::Image ReadImage(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throw std::runtime_error("cannot read " + file.string());
     const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
@@ -190,7 +190,7 @@ class Lab {
   template <typename Make>
   R2::Image GpuCache(const std::filesystem::path& file, const Make& make) const {
     if (wishes_.out.empty()) return make();
-    if (std::filesystem::exists(file)) return ReadPicture(file);
+    if (std::filesystem::exists(file)) return ReadImage(file);
     const R2::Image image = make();
     const auto bytes = R2::FormatForName(file.string())->encode(image, {}, {});
     std::ofstream(file, std::ios::binary)

@@ -1,10 +1,10 @@
-// How soon a picture that is traced beside its viewer answers: medians and 99th percentiles, in milliseconds.
+// How soon an image that is traced beside its viewer answers: medians and 99th percentiles, in milliseconds.
 //
 //     make bench && build/bench/live [scenes=hello,area_light] [size=512] [threads=N] [times=N]
 //
 // Columns: from Cancel to the job's end, at a random moment of its passes; from a job's start to a first look that is
 // whole, its places chosen by the rate of the job before to take 40 ms. Then the
-// seconds of a whole picture by a job and by Render with as many threads, taking turns.
+// seconds of a whole image by a job and by Render with as many threads, taking turns.
 
 #include <tbb/info.h>
 

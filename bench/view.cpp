@@ -1,7 +1,7 @@
 // How soon the viewer answers, drawing without a window.
 //   build/bench/view [scene [width height]]     scenes/hello.scn unless named, 512 x 512; run where scenes/ is
 //     bench/scenes/large.sh FOLDER           makes a city and a mesh, of a million triangles each
-// Figures: start to the first drawing; from an event to its drawing while a live picture and a trace run beside; what
+// Figures: start to the first drawing; from an event to its drawing while a live image and a trace run beside; what
 // an idle viewer asks of the processor is told by the window itself: /proc/PID/stat.
 #include <algorithm>
 #include <chrono>
@@ -26,7 +26,7 @@ class Nobody : public ViewerHost {
   void SaveDrawing() override {}
   std::string SaveRays(const std::string&) override { return {}; }
   std::string SaveText(const std::string&, const std::string&) override { return {}; }
-  ReferenceImage ReadPicture(const std::string&) override { return {}; }
+  ReferenceImage ReadImage(const std::string&) override { return {}; }
   void SetClipboard(const std::string&) override {}
   void Print(const std::string&) override {}
 };
@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
   settings.scene = argc > 1 ? argv[1] : "scenes/hello.scn";
   settings.render.width = argc > 3 ? std::atoi(argv[2]) : 512;
   settings.render.height = argc > 3 ? std::atoi(argv[3]) : 512;
-  settings.render.samples = 1 << 20;  // so that pictures are never done
+  settings.render.samples = 1 << 20;  // so that images are never done
   Nobody host;
   const auto scene = std::make_shared<const LoadedScene>(settings.scene, settings.parse, settings.accelerator);
   const auto context = MakeOffscreenContext("auto");

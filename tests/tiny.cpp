@@ -49,7 +49,7 @@ Differences Compare(const Bytes& a, const Bytes& b) {
 }
 
 /// Rounding decides where rays meet an edge: of a tile, a shadow or a ball.
-void ExpectPictureOfRaypro(const char* name, int most_by_one, int most_by_more) {
+void ExpectImageOfRaypro(const char* name, int most_by_one, int most_by_more) {
   const char* const folder = std::getenv("TINY");
   const auto program = std::filesystem::path(folder ? folder : "") / name;
   if (!folder || !std::filesystem::exists(program)) GTEST_SKIP() << "not built here: make tiny";
@@ -62,10 +62,10 @@ void ExpectPictureOfRaypro(const char* name, int most_by_one, int most_by_more) 
   EXPECT_LE(differences.by_more, most_by_more);
 }
 
-TEST(Tiny, ItsSourceDrawsThePictureThatRayproDraws) { ExpectPictureOfRaypro("tiny", 5, 20); }
+TEST(Tiny, ItsSourceDrawsTheImageThatRayproDraws) { ExpectImageOfRaypro("tiny", 5, 20); }
 
 // In single precision one pixel in 500 is rounded to the neighboring level.
-TEST(Tiny, ItsExecutableDrawsItInSinglePrecision) { ExpectPictureOfRaypro("small", 1000, 25); }
+TEST(Tiny, ItsExecutableDrawsItInSinglePrecision) { ExpectImageOfRaypro("small", 1000, 25); }
 
 TEST(Room, FramesInProcessAreTheBytesOfRaypro) {
   const Bytes expected = PpmOfRaypro("scenes/room.scn");

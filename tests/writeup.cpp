@@ -66,7 +66,7 @@ bool IsThere(const std::string& page, const std::string& link) {
   return sign == link.size() || IdsOf(file).contains(link.substr(sign + 1));
 }
 
-TEST(Writeup, EveryLinkAndPictureOfThePagesExists) {
+TEST(Writeup, EveryLinkAndImageOfThePagesExists) {
   for (const std::string page : pages) {
     const std::string text = project::BytesOf(Writeup() / page);
     ASSERT_FALSE(text.empty()) << page;

@@ -7,7 +7,7 @@
 #include "source/draw/Event.h"
 #include "source/parse/Text.h"
 
-/// What happens to a viewer, as text written by people or recorded. One step per line; # starts a comment,
+/// The events of a viewer as text, written by people or recorded. One step per line; # starts a comment,
 /// except in the rest of a line that is text or a name.
 ///
 ///     key Control+S              pressed and released

@@ -10,7 +10,7 @@ namespace ray {
 class FileWatch {
  public:
   void Watch(const std::vector<std::string>& files);
-  /// Whether one has changed since the last time this said so. A file that is missing has changed only once it is
+  /// Returns true if one has changed since this last returned true. A file that is missing has changed only once it is
   /// missing for the second time in a row, since editors save by renaming; one that is there again has changed too.
   bool HasChanged();
 

@@ -12,7 +12,7 @@ struct HelpRow {
   std::string keys, text;
 };
 
-/// How many letters a text in UTF-8 has.
+/// Returns the number of letters of a text in UTF-8.
 std::size_t CountLetters(std::string_view text);
 
 /// The words of a text in UTF-8 in lines of at most `columns` letters; longer words are broken.

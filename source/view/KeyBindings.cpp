@@ -12,7 +12,7 @@ namespace {
 constexpr Modifiers plain{}, shift{true, false}, control{false, true}, both{true, true};
 constexpr double wider = 1.1;
 
-/// What the pointer does, for the help.
+/// The actions of the pointer, for the help.
 constexpr std::array gestures{
     std::array{"left drag", "rotate about the pivot, or the center of the scene"},
     std::array{"Shift+left or middle drag", "zoom"},
@@ -27,7 +27,7 @@ constexpr std::array gestures{
     std::array{"file dropped", "open a scene or mesh, or use an image as the reference"},
 };
 
-/// Where a group of keys begins in the table, for the help.
+/// The beginning of a group of keys in the table, for the help.
 struct Heading {
   Key key;
   Modifiers modifiers;
@@ -69,7 +69,7 @@ std::vector<KeyBinding> Rendering() {
       {Key::escape, plain,
        "close the help or the flat image, clear the crop, forget the pick, close the cross section, stop rendering",
        Peel},
-      {Key::q, plain, "quit; while a picture is being rendered, when pressed twice", Quit},
+      {Key::q, plain, "quit; while an image is being rendered, when pressed twice", Quit},
       {Key::p, plain, "pause or continue tracing what the view shows", PauseOrResume},
       {Key::p, shift, "toggle the traced image: without it, the preview alone", ToggleTraced},
       {Key::m, plain, "toggle denoising, of images that get all their samples", ToggleDenoising},
@@ -150,9 +150,9 @@ std::vector<KeyBinding> FalseColors() {
 std::vector<KeyBinding> ComparingAndTheRest() {
   return {
       {Key::r, plain, "keep the rendered image as the reference", KeepReference},
-      {Key::r, shift, "show the reference while held", With(Compare, TracedPictures::Comparing::reference),
+      {Key::r, shift, "show the reference while held", With(Compare, TracedImages::Comparing::reference),
        StopShowingReference},
-      {Key::d, plain, "toggle the difference from the reference", With(Compare, TracedPictures::Comparing::difference)},
+      {Key::d, plain, "toggle the difference from the reference", With(Compare, TracedImages::Comparing::difference)},
       {Key::d, shift, "the difference in false colors with their scale; pressed again, FLIP", CompareInFalseColors},
       {Key::page_down, control, "flip through the images made so far: the next, or the current one",
        With(FlipImages, 1)},

@@ -10,7 +10,7 @@ namespace ray {
 /// The message that the user reads, which fades as time passes, and what has changed since it was drawn.
 class Notices {
  public:
-  void Tell(const std::string& message) {
+  void Show(const std::string& message) {
     message_ = message;
     since_ = now_;
     question_.clear();
@@ -21,14 +21,14 @@ class Notices {
   /// still to be read; else shows the question.
   bool Confirms(const std::string& question) {
     const bool is_answer = question == question_ && action_ == asked_at_ + 1 && Strength() > 0;
-    if (!is_answer) Tell(question);
+    if (!is_answer) Show(question);
     question_ = is_answer ? std::string() : question;
     asked_at_ = action_;
     return is_answer;
   }
   /// The user has pressed something.
   void CountAction() { ++action_; }
-  /// What is left of it, from 1 to 0.
+  /// Returns its opacity, from 1 to 0 as it fades.
   double Strength() const {
     constexpr double seconds_of_message = 5, seconds_of_fading = 1;
     return std::clamp((since_ + seconds_of_message - now_) / seconds_of_fading, 0.0, 1.0);
@@ -37,7 +37,7 @@ class Notices {
   std::string TakeMessage() { return std::exchange(message_, {}); }
   void PutBack(const std::string& message) { message_ = message; }
 
-  /// In seconds, of all ticks.
+  /// Returns the time, in seconds of ticks.
   double Now() const { return now_; }
   void Advance(double seconds) {
     const double before = Strength();
@@ -48,7 +48,7 @@ class Notices {
   void Redraw() { needs_redraw_ = true; }
   /// The lines in space are others.
   void RedrawLines() { needs_redraw_ = has_new_lines_ = true; }
-  /// Whether it was asked for since the last call.
+  /// Returns true if a redraw was requested since the last call.
   bool TakeRedraw() { return std::exchange(needs_redraw_, false); }
   bool TakeNewLines() { return std::exchange(has_new_lines_, false); }
 

@@ -86,7 +86,7 @@ void PointerInput::OnClick(const ButtonEvent& event, ViewerState& viewer) {
   last_click_ = is_second ? -1 : now;
   last_click_at_ = position;
   if (is_second && !viewer.FlatJob()) return SetPivot(viewer, viewer.PointAt(position));
-  PickAt(viewer, viewer.InPicture(position));
+  PickAt(viewer, viewer.InShownImage(position));
 }
 
 void PointerInput::On(const ScrollEvent& event, ViewerState& viewer) const {

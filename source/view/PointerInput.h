@@ -7,15 +7,15 @@
 
 namespace ray {
 
-/// What the pointer does: presses that become clicks or drags, of the view, the flat image, the cross section, or what
-/// is chosen in the scene.
+/// The handler of the pointer: presses that become clicks or drags, of the view, the flat image, the cross section, or
+/// what is chosen in the scene.
 class PointerInput {
  public:
   void On(const ButtonEvent& event, ViewerState& viewer);
   void On(const MoveEvent& event, ViewerState& viewer);
   void On(const ScrollEvent& event, ViewerState& viewer) const;
 
-  /// Whether letting go of the button would end what is going on.
+  /// Returns true if releasing the button would end the current action.
   bool IsHeldBy(Button button) const { return press_ && press_->button == button; }
   /// The press has done something meanwhile.
   void TakeNoClick() {

@@ -28,12 +28,12 @@ class ViewedScene {
   const std::shared_ptr<const LoadedScene>& Shared() const { return loaded_; }
   const Scene& Parsed() const { return loaded_->parsed.scene; }
   const World& world() const { return loaded_->world; }
-  /// Whether it has nothing to be seen.
+  /// Returns true if nothing in it can be seen.
   bool ShowsNothing() const { return world().Instances().empty() && !Parsed().environment; }
   const DrawingSpace& Space() const { return space_; }
   /// The preview; null while it is being made.
   const std::shared_ptr<const PreviewScene>& Faces() const { return faces_; }
-  /// What the preview leaves out, in words; empty where nothing is.
+  /// Returns a description of what the preview leaves out; empty if it leaves out nothing.
   const std::string& Notes() const { return notes_; }
   /// Another for each scene that was opened or read again, from 1.
   int Number() const { return number_; }

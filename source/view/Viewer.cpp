@@ -17,7 +17,7 @@ constexpr double seconds_between_looks = 0.25;  // at the scene's files
 Viewer::Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene, ViewerHost& host)
     : state_(std::move(settings), *scene, host) {
   TakeScene(state_, std::move(scene));
-  if (state_.settings.shows_traced) state_.pictures.ShowLive({});
+  if (state_.settings.shows_traced) state_.traced.ShowLive({});
 }
 
 namespace {
@@ -90,13 +90,13 @@ void Viewer::On(const CloseEvent&) { Quit(state_); }
 
 void Viewer::On(const TickEvent& event) {
   // Not before time passes: a script that only draws gets the scene alone.
-  if (!std::exchange(has_ticked_, true) && Message().empty()) Tell("H: help" + state_.NotesAfterMessage());
+  if (!std::exchange(has_ticked_, true) && Message().empty()) ShowMessage("H: help" + state_.NotesAfterMessage());
   state_.notices.Advance(event.seconds);
   state_.navigator.Advance(event.seconds);
   const double now = state_.notices.Now();
   if (now - last_look_at_files_ < seconds_between_looks) return;
   last_look_at_files_ = now;
-  if (state_.watch.HasChanged()) TellOfChangedFiles(state_);
+  if (state_.watch.HasChanged()) TakeChangedFiles(state_);
 }
 
 bool Viewer::Update() {
@@ -104,23 +104,23 @@ bool Viewer::Update() {
   state_.editor.DoDue();
   if (state_.navigator.Changes() != changes_seen_) {
     changes_seen_ = state_.navigator.Changes();
-    state_.pictures.TouchView();
+    state_.traced.TouchView();
     state_.section_pane.drawing.reset();
     if (ShowsFrameOfQuad(state_) != lines_have_quad_frame_) state_.notices.RedrawLines();
     state_.notices.Redraw();
   }
   const DrawingSize view = state_.layout().view;  // panels and the cross section leave less of the drawing
-  if (view != std::exchange(size_of_view_, view)) state_.pictures.Touch();
-  state_.pictures.Update(state_.scene.Shared(), state_.SettingsOfView(), state_.settings.budget_of_rest);
+  if (view != std::exchange(size_of_view_, view)) state_.traced.Touch();
+  state_.traced.Update(state_.scene.Shared(), state_.SettingsOfView(), state_.settings.budget_of_rest);
   if (state_.scene.TakeFaces()) state_.notices.Redraw();
   TakeEndedJobs(state_);
-  state_.status.Update(state_.pictures, state_.notices.Now());
+  state_.status.Update(state_.traced, state_.notices.Now());
   if (std::string progress = state_.reader.Describe() + state_.status.Text(); progress != progress_) {
     progress_ = std::move(progress);
     state_.notices.Redraw();
   }
   const bool has_costs = state_.accelerators.HasNews(), has_rows = HasNewRows();
-  const bool shows_traced = Pictures().ShownLive() != nullptr, is_fading = shows_traced && Pictures().Opacity() < 1;
+  const bool shows_traced = Traced().ShownLive() != nullptr, is_fading = shows_traced && Traced().Opacity() < 1;
   const bool is_switched = std::exchange(showed_traced_, shows_traced) != shows_traced;
   if (has_costs || has_rows || is_switched || std::exchange(was_fading_, is_fading)) state_.notices.Redraw();
   return state_.notices.TakeRedraw();
@@ -135,7 +135,7 @@ void Viewer::WaitForScene() {
 
 bool Viewer::HasNewRows() {
   std::vector<std::uint32_t> versions;
-  for (const RenderJob* job : {Pictures().Trace(), Pictures().Live(), Pictures().Depths()})
+  for (const RenderJob* job : {Traced().Trace(), Traced().Live(), Traced().Depths()})
     for (int row = 0; job && row < job->frame().Height(); ++row) versions.push_back(job->frame().Version(row));
   if (versions == versions_) return false;
   versions_ = std::move(versions);
@@ -152,7 +152,7 @@ FrameState Viewer::Show() {
 
 std::string Viewer::Title() const { return TitleOf(state_); }
 
-std::string Viewer::InWords() { return StateInWords(state_); }
+std::string Viewer::Describe() { return DescribeState(state_); }
 
 std::string Viewer::TextOfPanels() { return ray::TextOfPanels(state_); }
 
@@ -167,6 +167,6 @@ void Viewer::Reveal(const std::string& name) {
 
 void Viewer::ShowPanels(const PanelSettings& look) { ray::ShowPanels(state_, look); }
 
-void Viewer::TellMistakes(const SceneErrors& mistakes) { TellProblems(state_, state_.settings.scene, mistakes); }
+void Viewer::ShowMistakes(const SceneErrors& mistakes) { ShowProblems(state_, state_.settings.scene, mistakes); }
 
 }  // namespace ray

@@ -27,41 +27,41 @@ class Viewer {
   bool Update();
   /// Valid until the next call of Handle or Update.
   FrameState Show();
-  /// Whether a picture is being traced, so that Update is soon worth a call.
+  /// Returns true if a job is running, so that Update is soon worth a call.
   bool IsBusy() const {
-    return state_.pictures.IsBusy() || state_.accelerators.IsBusy() || state_.scene.IsMakingFaces() ||
+    return state_.traced.IsBusy() || state_.accelerators.IsBusy() || state_.scene.IsMakingFaces() ||
            state_.reader.IsBusy();
   }
   bool IsClosed() const { return state_.is_closed; }
 
   /// The title as of the last Update. Time alone changes it, a few times a second; see TitleOf.
   std::string Title() const;
-  /// What it shows, in lines of words, for scripts.
-  std::string InWords();
-  /// What the panels and the help say, in lines; none where they are hidden.
+  /// Returns a description of what is shown, in lines, for scripts.
+  std::string Describe();
+  /// Returns the text of the panels and the help, in lines; empty if they are hidden.
   std::string TextOfPanels();
   /// Scrolls what has a name that begins so into view in the panels.
   void Reveal(const std::string& name);
-  /// What takes clicks in the panels, as last drawn.
+  /// Returns the items of the panels that take clicks, as last drawn.
   const std::vector<PanelItem>& ItemsOfPanels() const;
 
   // What the program around it asks for.
   void ShowPanels(const PanelSettings& look);
   /// The file of the settings has these mistakes, and the scene shown is another.
-  void TellMistakes(const SceneErrors& mistakes);
+  void ShowMistakes(const SceneErrors& mistakes);
   /// Waits for the scene that is being read, so that the next event finds it shown.
   void WaitForScene();
   bool IsReading() const { return state_.reader.IsBusy(); }
   /// Waits for the preview of the scene, so that Show has it.
   void WaitForFaces() { state_.scene.TakeFaces(true); }
   /// Shows a message.
-  void Tell(const std::string& message) { state_.notices.Tell(message); }
+  void ShowMessage(const std::string& message) { state_.notices.Show(message); }
 
   ViewerState& state() { return state_; }
   const ViewerState& state() const { return state_; }
   const LoadedScene& scene() const { return state_.scene.Loaded(); }
   const Navigator& navigator() const { return state_.navigator; }
-  const TracedPictures& Pictures() const { return state_.pictures; }
+  const TracedImages& Traced() const { return state_.traced; }
   const RayInspector& Rays() const { return state_.rays; }
   const std::optional<Pick>& Picked() const { return state_.selection.pick; }
   const std::string& Message() const { return state_.notices.Message(); }
@@ -77,7 +77,7 @@ class Viewer {
   void On(const DropEvent& event);
   void On(const TickEvent& event);
   void On(const CloseEvent&);
-  /// Whether rows of frames were written since the last call.
+  /// Returns true if rows of frames were written since the last call.
   bool HasNewRows();
 
   ViewerState state_;

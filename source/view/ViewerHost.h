@@ -14,15 +14,15 @@
 
 namespace ray {
 
-/// What a viewer begins with.
+/// The initial settings of a viewer.
 struct ViewerSettings {
   std::string scene;  // its file
   ParseOptions parse;
   AcceleratorSettings accelerator;
-  RenderSettings render;  // of traced pictures; their size is that of the drawing
+  RenderSettings render;  // of traced images; their size is that of the drawing
   ReferenceImage reference;
   bool shows_traced = false;     // from the start: what the view shows at rest is traced
-  bool budget_of_rest = false;   // no budget was asked for, see TracedPictures::Update
+  bool budget_of_rest = false;   // no budget was asked for, see TracedImages::Update
   bool shows_bar = false;        // the status bar, even without panels
   PanelSettings panels{};        // how they look when they are first shown
 };
@@ -36,13 +36,13 @@ struct ShownOption {
   bool is_flag = false;              // given or not: the value is "on" or empty
 };
 
-/// What a viewer asks of the program around it. The strings returned are messages for the user.
+/// The program around a viewer. The strings returned are messages for the user.
 class ViewerHost {
  public:
   virtual ~ViewerHost() = default;
-  /// Writes the picture of key S.
+  /// Writes the image of key S.
   virtual std::string SaveTraced(const RenderJob& complete) = 0;
-  /// Keeps the picture of key S, which was stopped, so that a program without a viewer can continue it. Returns how, or
+  /// Keeps the image of key S, which was stopped, so that a program without a viewer can continue it. Returns how, or
   /// why not; empty where nobody asked for that.
   virtual std::string KeepStopped(const RenderJob&) { return {}; }
   /// Writes what is drawn, once the event that asked for it is handled.
@@ -51,28 +51,28 @@ class ViewerHost {
   virtual std::string SaveRays(const std::string& obj) = 0;
   /// Writes a file whole or not at all. Returns why it could not, else nothing.
   virtual std::string SaveText(const std::string& file, const std::string& text) = 0;
-  /// Likewise, of the scene that is shown, which other files never take the place of.
+  /// Does the same for the scene that is shown, which no other output may replace.
   virtual std::string SaveScene(const std::string& file, const std::string& text) { return SaveText(file, text); }
   /// Scenes that were opened before, the last first.
   virtual std::vector<std::string> RecentScenes() { return {}; }
-  /// Without an image where the file is none that can be read.
-  virtual ReferenceImage ReadPicture(const std::string& file) = 0;
+  /// Reads an image; the result is empty if the file cannot be read as one.
+  virtual ReferenceImage ReadImage(const std::string& file) = 0;
   virtual void SetClipboard(const std::string& text) = 0;
-  /// To standard output.
+  /// Prints a line to standard output.
   virtual void Print(const std::string& line) = 0;
 
   // A program without options has none to show.
   /// The options that bear on images, topic by topic.
   virtual std::vector<ShownOption> ShownOptions() { return {}; }
-  /// What the viewer goes on with once the option has the value, empty for its default; without a reference. Throws an
+  /// Returns the settings once the option has the value, empty for its default; without a reference. Throws an
   /// exception whose what() is for the user where that cannot be.
   virtual ViewerSettings ChangeOption(const std::string& name, const std::string&) {
     throw std::invalid_argument("there is no option " + name);
   }
-  /// What the viewer goes on with once it shows this scene, which may have settings of its own; nothing to go on as
+  /// Returns the settings once this scene is shown, which may have settings of its own; std::nullopt to keep them as
   /// before. Throws as ChangeOption.
   virtual std::optional<ViewerSettings> SettingsWith(const Scene&) { return {}; }
-  /// The command that makes such a picture without a viewer; empty where there is none.
+  /// The command that makes such an image without a viewer; empty where there is none.
   virtual std::string CommandFor(const RenderSettings&) { return {}; }
 };
 

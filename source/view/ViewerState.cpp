@@ -34,7 +34,7 @@ ViewerState::ViewerState(ViewerSettings begin, const LoadedScene& shown, ViewerH
       screen{{settings.render.width, settings.render.height}} {
   panels->SetLook(settings.panels);
   panels->SetParts(Parts());
-  pictures.SetReference(settings.reference);
+  traced.SetReference(settings.reference);
 }
 
 Layout ViewerState::layout() const {
@@ -47,14 +47,14 @@ RenderSettings ViewerState::SettingsFor(const DrawingSize& size) const {
   render.width = size.width;
   render.height = size.height;
   const Camera &own = scene.Parsed().camera, &now = navigator.camera();
-  // The scene's own view is left unsaid, so that the same command as without a viewer makes the same picture.
+  // The scene's own view is left unsaid, so that the same command as without a viewer makes the same image.
   if (CameraLine(now) != CameraLine(own)) render.view = now;
   return render;
 }
 
 std::optional<R3::Ray> ViewerState::RayAt(const R2::Point& position) const {
   const DrawingSize view = layout().view;
-  if (pictures.ShownLive()) return navigator.camera().RayThrough(position.x, position.y, view.width, view.height);
+  if (traced.ShownLive()) return navigator.camera().RayThrough(position.x, position.y, view.width, view.height);
   return navigator.camera().Through(position.x, position.y, view.width, view.height);
 }
 
@@ -67,14 +67,14 @@ std::optional<R3::Point> ViewerState::PointAt(const R2::Point& position) const {
   return scene.world().At(*ray, *hit).position;
 }
 
-const RenderJob* ViewerState::FlatJob() const { return flat.IsShown() ? pictures.Job() : nullptr; }
+const RenderJob* ViewerState::FlatJob() const { return flat.IsShown() ? traced.Job() : nullptr; }
 
-RenderSettings ViewerState::SettingsOfPicture() const {
+RenderSettings ViewerState::SettingsOfShownImage() const {
   const RenderJob* job = FlatJob();
   return job ? job->Settings() : SettingsOfView();
 }
 
-Camera ViewerState::CameraOfPicture() const {
+Camera ViewerState::CameraOfShownImage() const {
   const RenderJob* job = FlatJob();
   return job ? job->Settings().view.value_or(scene.Parsed().camera) : navigator.camera();
 }
@@ -84,17 +84,17 @@ DrawingSize ViewerState::SizeOfPreview() const {
   return job ? DrawingSize{job->Settings().width, job->Settings().height} : layout().view;
 }
 
-PixelBox ViewerState::FittingPicture() const {
-  // In the middle of the view: of its own view, where the scene is drawn as the picture shows it.
-  const RenderSettings picture = SettingsOfPicture();
-  return layout().PlaceFor(picture.width, picture.height);
+PixelBox ViewerState::FittingPlace() const {
+  // In the middle of the view: of its own view, where the scene is drawn as the image shows it.
+  const RenderSettings image = SettingsOfShownImage();
+  return layout().PlaceFor(image.width, image.height);
 }
 
-R2::Point ViewerState::InPicture(const R2::Point& position) const {
-  const PixelBox place = PlaceOfPicture();
-  const RenderSettings picture = SettingsOfPicture();
-  return {(position.x - place.left) / place.width * picture.width,
-          (position.y - place.bottom) / place.height * picture.height};
+R2::Point ViewerState::InShownImage(const R2::Point& position) const {
+  const PixelBox place = PlaceOfShownImage();
+  const RenderSettings image = SettingsOfShownImage();
+  return {(position.x - place.left) / place.width * image.width,
+          (position.y - place.bottom) / place.height * image.height};
 }
 
 R2::Point ViewerState::InImage(const R2::Point& position) const {
@@ -104,15 +104,15 @@ R2::Point ViewerState::InImage(const R2::Point& position) const {
 }
 
 PixelBox ViewerState::PlaceOf(const RenderJob& job) const {
-  const PixelBox all = PlaceOfPicture();
+  const PixelBox all = PlaceOfShownImage();
   const PixelRectangle region = RegionOf(job.Settings());
   const double across = all.width / job.Settings().width, up = all.height / job.Settings().height;
   return {all.left + region.x0 * across, all.bottom + region.y0 * up, region.Width() * across, region.Height() * up};
 }
 
 std::optional<TracedQuad> ViewerState::Quad() const {
-  if (!overlays.quad || !pictures.Trace() || pictures.IsLive()) return {};
-  return TracedQuad(pictures.Trace()->Settings(), scene.Parsed().camera, navigator.Center(), scene.Space().radius);
+  if (!overlays.quad || !traced.Trace() || traced.IsLive()) return {};
+  return TracedQuad(traced.Trace()->Settings(), scene.Parsed().camera, navigator.Center(), scene.Space().radius);
 }
 
 }  // namespace ray

@@ -15,7 +15,7 @@
 #include "source/view/edit/SceneEditor.h"
 #include "source/view/live/AcceleratorCost.h"
 #include "source/view/live/JobStatus.h"
-#include "source/view/live/TracedPictures.h"
+#include "source/view/live/TracedImages.h"
 #include "source/view/overlay/Pick.h"
 #include "source/view/overlay/RayInspector.h"
 #include "source/view/overlay/SceneLines.h"
@@ -25,7 +25,7 @@
 
 namespace ray {
 
-/// What the user has chosen to look at.
+/// The user's selection.
 struct Selection {
   std::optional<Pick> pick;         // the pixel that was clicked
   std::optional<std::size_t> node;  // of the scene graph, into World::Nodes
@@ -37,11 +37,11 @@ struct Layout {
   /// `column`: how wide panels are, and `bar` how high their status bar; 0 where they are hidden.
   static Layout Of(const DrawingSize& all, double column, double bar, bool has_section);
 
-  /// Whether a position in the drawing is on the cross section.
+  /// Returns true if a position in the drawing is on the cross section.
   bool IsOnSection(const R2::Point& position) const;
   /// A position in the drawing as one on the cross section.
   R2::Point OnSection(const R2::Point& position) const { return {position.x - view.width, position.y}; }
-  /// Where an image of that many pixels is in the view, as large as there is room, in the middle.
+  /// Returns the place of an image of that many pixels in the view: centered, as large as fits.
   PixelBox PlaceFor(double width, double height) const;
 
   DrawingSize view, section;  // the former at least 1 x 1, the latter of width 0 where it is hidden
@@ -71,14 +71,14 @@ struct ViewerState {
   SceneEditor editor{*this};
   Selection selection;
 
-  TracedPictures pictures;
+  TracedImages traced;
   RenderStatus status;
   ImageStrip images;
   std::shared_ptr<const R2::Image> shown_image;  // of these, while it is the reference; null for the current one
   double exposure_steps = 0;                     // each doubles the light
   FlatView flat;
   AcceleratorComparisons accelerators;
-  /// What a picture of key S depends on.
+  /// The inputs of an image of key S.
   struct TracedAs {
     int scene = 0, options = 0;  // numbers
     std::string camera;          // as a line
@@ -121,31 +121,31 @@ struct ViewerState {
   /// The ray through a position in the drawing, of the projection that is seen there: the camera's own in a traced
   /// image, else a pinhole's; nothing outside of its view.
   std::optional<R3::Ray> RayAt(const R2::Point& position) const;
-  /// What it meets first; nothing where that is the background.
+  /// Returns the first point that it hits; std::nullopt for the background.
   std::optional<R3::Point> PointAt(const R2::Point& position) const;
 
-  // The picture: the image shown flat, where one is, or the view.
-  /// What is shown flat; null where nothing is.
+  // The image: the image shown flat, where one is, or the view.
+  /// Returns the job of the image shown flat; null if none is.
   const RenderJob* FlatJob() const;
-  RenderSettings SettingsOfPicture() const;
-  Camera CameraOfPicture() const;
+  RenderSettings SettingsOfShownImage() const;
+  Camera CameraOfShownImage() const;
   /// The rectangle that the preview is drawn in: the view, or the flat image beside its slider.
   DrawingSize SizeOfPreview() const;
-  /// Where it is in the drawing, and where it would be as large as there is room.
-  PixelBox PlaceOfPicture() const { return FlatJob() ? flat.Place(FittingPicture()) : FittingPicture(); }
-  PixelBox FittingPicture() const;
-  /// A position in the drawing as one in that picture.
-  R2::Point InPicture(const R2::Point& position) const;
-  /// Where in the drawing is what a job has rendered of it: a crop, or all.
+  /// Returns its place in the drawing; and its place if it were as large as fits.
+  PixelBox PlaceOfShownImage() const { return FlatJob() ? flat.Place(FittingPlace()) : FittingPlace(); }
+  PixelBox FittingPlace() const;
+  /// A position in the drawing as one in that image.
+  R2::Point InShownImage(const R2::Point& position) const;
+  /// Returns the place in the drawing of what a job has rendered: a crop, or all.
   PixelBox PlaceOf(const RenderJob& job) const;
-  R2::Point PictureUnderPointer() const { return InPicture(screen.pointer); }
+  R2::Point PointerInShownImage() const { return InShownImage(screen.pointer); }
 
   /// A position in the drawing as one in the image that key S renders.
   R2::Point InImage(const R2::Point& position) const;
 
   /// The image of key S in space; nothing where it is not shown.
   std::optional<TracedQuad> Quad() const;
-  /// How a message that something is open ends: "; the scene is unlit".
+  /// Returns the end of a message that a scene is open: "; the scene is unlit".
   std::string NotesAfterMessage() const { return scene.Notes().empty() ? "" : "; " + scene.Notes(); }
 
  private:

@@ -33,7 +33,7 @@ ray::RenderSettings Small(const ray::Scene& scene) {
   return settings;
 }
 
-void ExpectOnePicture(const project::Stage& stage, const std::string& name) {
+void ExpectOneImage(const project::Stage& stage, const std::string& name) {
   const ray::RenderSettings usual = Small(*stage.scene);
   const auto bits = [&](const ray::RenderSettings& settings, const char* accelerator) {
     ray::AcceleratorSettings how;
@@ -61,7 +61,7 @@ int CheckAll(const Paths& files) {
       options.allowed_folders = {file.parent_path().parent_path().string()};
       ray::Scene scene = ray::Parse(file.string(), options).scene;
       ++scenes;
-      ExpectOnePicture(project::Stage(std::move(scene)), file.string());
+      ExpectOneImage(project::Stage(std::move(scene)), file.string());
     } catch (const ray::SceneErrors&) {
     }
   }

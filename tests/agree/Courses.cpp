@@ -13,7 +13,7 @@
 
 namespace {
 
-R2::Image PictureIn(const std::string& file) { return ray::testing::Decode(file).image; }
+R2::Image ImageIn(const std::string& file) { return ray::testing::Decode(file).image; }
 
 struct Counted {
   int pixels = 0;   // that differ at all
@@ -50,7 +50,7 @@ void CheckBar(const std::string& folder, const Bar& bar) {
   words.insert(words.end(), bar.options.begin(), bar.options.end());
   const auto finished = ray::testing::RunProgram(words);
   ASSERT_EQ(finished.status, 0) << finished.error;
-  const R2::Image made = PictureIn(out / "out.png"), wanted = PictureIn((course / bar.picture).string());
+  const R2::Image made = ImageIn(out / "out.png"), wanted = ImageIn((course / bar.picture).string());
   ASSERT_EQ(made.Width(), wanted.Width());
   ASSERT_EQ(made.Height(), wanted.Height());
   const Counted counted = Compare(made, wanted, bar.levels);
@@ -82,7 +82,7 @@ constexpr int all = 1 << 30;
 // those 71 and differs in 63 others.
 // The one pixel of the second picture that is 59 levels off lies on the ground where the shadow from its second light
 // begins: dark there, lit here.
-TEST(Courses, GroningensPicturesAreMet) {
+TEST(Courses, GroningensImagesAreMet) {
   NEEDS_THE_PROGRAM();
   if (IsAbsent("scenes-groningen")) GTEST_SKIP() << "no scenes of Groningen beside the project";
   const std::vector<std::string> four{"-samples", "4"};
@@ -128,10 +128,10 @@ R2::Image OfCorners(const std::string& scene, const std::string& mode) {
   return image;
 }
 
-TEST(Courses, GroningensOldestPicturesAreMetHalfAPixelAside) {
+TEST(Courses, GroningensOldestImagesAreMetHalfAPixelAside) {
   if (IsAbsent("scenes-groningen")) GTEST_SKIP() << "no scenes of Groningen beside the project";
   const auto reference = [](const char* name) {
-    return PictureIn((project::Shared() / "scenes-groningen/reference" / name).string());
+    return ImageIn((project::Shared() / "scenes-groningen/reference" / name).string());
   };
   const Counted phong = Compare(OfCorners("scene01.yaml", "whitted"), reference("scene01-phong-2009-pixels.png"), 1);
   EXPECT_LE(phong.pixels, 70) << "whole numbers but for rounding, as in the pictures with shadows";
@@ -144,7 +144,7 @@ TEST(Courses, GroningensOldestPicturesAreMetHalfAPixelAside) {
 
 #endif
 
-TEST(Courses, Cs315sPicturesAreMet) {
+TEST(Courses, Cs315sImagesAreMet) {
   NEEDS_THE_PROGRAM();
   if (IsAbsent("scenes-cs315")) GTEST_SKIP() << "no scenes of CS 315 beside the project";
   for (const Bar& bar : std::vector<Bar>{

@@ -94,7 +94,7 @@ TEST(Projections, AnOrthographicSphereIsACircleOfItsRadius) {
     }
 }
 
-TEST(Projections, ALatlongPictureOfAnEnvironmentIsItsMap) {
+TEST(Projections, ALatlongImageOfAnEnvironmentIsItsMap) {
   const std::string file = (project::Root() / "scenes/textures/sky.hdr").string();
   ParseOptions options;
   options.environment = file;
@@ -146,7 +146,7 @@ TEST(Projections, RaysInPacketsHitWhatEachHitsAlone) {
   }
 }
 
-TEST(Projections, AcceleratorsThreadsAndTilesMakeOnePicture) {
+TEST(Projections, AcceleratorsThreadsAndTilesMakeOneImage) {
   for (const std::string& projection : Projections()) {
     const project::Stage stage = RoomWith(projection);
     RenderSettings settings = Settings(50, 40, 2);

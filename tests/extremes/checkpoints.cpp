@@ -55,7 +55,7 @@ ray::RenderResult InPieces(const project::Stage& stage, ray::RenderSettings sett
   }
 }
 
-TEST(Extremes, J3_APictureMadeInPiecesIsThatOfOneRun) {
+TEST(Extremes, J3_AImageMadeInPiecesIsThatOfOneRun) {
   std::mt19937 random(3);
   int breaks = 0;
   for (const char* scene : {"hello.scn", "area_light.scn", "motion.scn"}) {

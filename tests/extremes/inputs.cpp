@@ -132,11 +132,11 @@ TEST(Extremes, D13_HugeTextureCoordinatesWrapAndNonFiniteOnesAreZero) {
 TEST(Extremes, K12_ASceneSetsNothingThatReadsWritesOrRunsAnything) {
   for (const OptionKind& option : OptionTable(Program::raypro)) {
     const std::string topic = option.topic;
-    const bool is_of_picture = topic == "picture" || topic == "light" || topic == "view";
+    const bool is_of_image = topic == "picture" || topic == "light" || topic == "view";
     const bool names_files = std::holds_alternative<FileName>(option.value) ||
                              std::holds_alternative<FileList>(option.value) ||
                              std::holds_alternative<Repeated>(option.value) || !IsSetting(option);
-    if (is_of_picture && !names_files) continue;
+    if (is_of_image && !names_files) continue;
     for (const char* value : {"1", "on", "x.ppm", "", "|sh", "$(touch x)"})
       EXPECT_TRUE(ProblemOf({option.name, value, "in.scn:1"})) << option.name << ' ' << value;
   }

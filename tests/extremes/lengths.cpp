@@ -85,7 +85,7 @@ TEST(Extremes, A12_ADirectionOfAnyLengthFindsTheSameHit) {
 namespace {
 
 // From outside: a scene of one length, its numbers alone larger or smaller.
-TEST(Extremes, A9_ASceneOfAnySizeGivesTheSamePicture) {
+TEST(Extremes, A9_ASceneOfAnySizeGivesTheSameImage) {
   const auto render = [](int exponent, const char* accelerator) {
     const std::string e = "e" + std::to_string(exponent) + " ", o = "0 ";
     const project::Stage stage(project::FromText(

@@ -248,7 +248,7 @@ TEST(Extremes, I7_TheCoursesModeMayFollowFaintMirrorsByChance) {
   EXPECT_LT(project::Render(stage, by_chance).rays.Total(), project::Render(stage, exact).rays.Total());
 }
 
-TEST(Extremes, E6_LightsOfNoSizeGiveThePicturesOfPoints) {
+TEST(Extremes, E6_LightsOfNoSizeGiveTheImagesOfPoints) {
   RenderSettings settings = Whitted(32, 2);
   const auto picture = [&](const std::string& light) { return project::Render(StageOf(room + light), settings).image; };
   // The order of roundings is that of a point light, so even the bits are.

@@ -167,7 +167,7 @@ TEST(Extremes, B12_AMillionSizesFromTheOriginNoGrayLevelChanges) {
   EXPECT_TRUE(IsFinite(at(1e9)));
 }
 
-TEST(Extremes, J7_AThousandRendersAreOnePicture) {
+TEST(Extremes, J7_AThousandRendersAreOneImage) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = ray::FindAcceleratorKind("bvh")->Make(stage.world, {});
   ray::RenderSettings settings;

@@ -20,14 +20,14 @@ fs::path CourseFolder() { return project::Shared() / "scenes-comp30019"; }
   NEEDS_THE_PROGRAM();     \
   if (!fs::exists(CourseFolder())) GTEST_SKIP() << "the course's scenes are not beside this checkout"
 
-struct BytePicture {
+struct ByteImage {
   int width = 0, height = 0;
   std::vector<std::array<int, 3>> pixels;
 };
 
-BytePicture BytesIn(const std::string& file) {
+ByteImage BytesIn(const std::string& file) {
   const R2::Image image = Decode(file).image;
-  BytePicture picture{image.Width(), image.Height(), {}};
+  ByteImage picture{image.Width(), image.Height(), {}};
   for (int y = 0; y < image.Height(); ++y)
     for (int x = 0; x < image.Width(); ++x) {
       const R2::Color c = 255 * image.At(x, y);
@@ -37,12 +37,12 @@ BytePicture BytesIn(const std::string& file) {
   return picture;
 }
 
-BytePicture Reference(const std::string& name) { return BytesIn((CourseFolder() / "reference" / name).string()); }
+ByteImage Reference(const std::string& name) { return BytesIn((CourseFolder() / "reference" / name).string()); }
 
 enum class Form { comp30019, raypro };
 
 /// What the program makes of a scene of the course, with these words behind the names.
-BytePicture Rendered(const std::string& scene, std::vector<std::string> words, Form form = Form::comp30019) {
+ByteImage Rendered(const std::string& scene, std::vector<std::string> words, Form form = Form::comp30019) {
   const TemporaryFolder folder;
   const std::string in = (CourseFolder() / "tests" / scene).string(), out = folder / "out.png";
   if (form == Form::raypro)
@@ -51,14 +51,14 @@ BytePicture Rendered(const std::string& scene, std::vector<std::string> words, F
     words.insert(words.begin(), {"-as", "comp30019", "-f", in, "-o", out});
   const Finished done = RunProgram(words);
   EXPECT_EQ(done.status, 0) << done.error;
-  return done.status == 0 ? BytesIn(out) : BytePicture();
+  return done.status == 0 ? BytesIn(out) : ByteImage();
 }
 
 int Largest(const std::array<int, 3>& a, const std::array<int, 3>& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
-int DifferentPixels(const BytePicture& a, const BytePicture& b) {
+int DifferentPixels(const ByteImage& a, const ByteImage& b) {
   EXPECT_EQ(a.pixels.size(), b.pixels.size());
   if (a.pixels.size() != b.pixels.size()) return -1;
   int count = 0;
@@ -66,7 +66,7 @@ int DifferentPixels(const BytePicture& a, const BytePicture& b) {
   return count;
 }
 
-double MeanDifference(const BytePicture& a, const BytePicture& b) {
+double MeanDifference(const ByteImage& a, const ByteImage& b) {
   EXPECT_EQ(a.pixels.size(), b.pixels.size());
   if (a.pixels.size() != b.pixels.size()) return 255;
   double sum = 0;
@@ -77,7 +77,7 @@ double MeanDifference(const BytePicture& a, const BytePicture& b) {
 
 TEST(Comp30019Pictures, Stage1IsTheCoursesToTheByte) {
   NEEDS_THE_COURSE();
-  const BytePicture flat = Rendered("sample_scene_1.txt", {"-mode", "flat"}, Form::raypro);
+  const ByteImage flat = Rendered("sample_scene_1.txt", {"-mode", "flat"}, Form::raypro);
   EXPECT_EQ(DifferentPixels(flat, Reference("sample_scene_1_s1.png")), 0);
 }
 
@@ -86,8 +86,8 @@ TEST(Comp30019Pictures, Stage1IsTheCoursesToTheByte) {
 // of .5.
 TEST(Comp30019Pictures, DiffuseScenesMatchTheCourseButForOneShadowPixel) {
   NEEDS_THE_COURSE();
-  BytePicture ours = Rendered("sample_scene_1.txt", {});
-  const BytePicture theirs = Reference("sample_scene_1_x1.png");
+  ByteImage ours = Rendered("sample_scene_1.txt", {});
+  const ByteImage theirs = Reference("sample_scene_1_x1.png");
   ASSERT_EQ(ours.pixels.size(), theirs.pixels.size());
   constexpr std::size_t at_edge = (400 - 1 - 331) * 400 + 35;  // rows from the bottom
   EXPECT_EQ(ours.pixels[at_edge], (std::array{0, 0, 0}));
@@ -102,13 +102,13 @@ TEST(Comp30019Pictures, With16SamplesPerPixelAtMost18PixelsDiffer) {
 
 TEST(Comp30019Pictures, TheCameraTurnsAsTheCoursesDoes) {
   NEEDS_THE_COURSE();
-  const BytePicture down =
+  const ByteImage down =
       Rendered("sample_scene_1.txt", {"--cam-pos", "0,2,-0.5", "--cam-axis", "1,0,0", "--cam-angle", "45"});
   EXPECT_LE(DifferentPixels(down, Reference("sample_scene_1_cam_pitch45.png")), 4);
-  const BytePicture oblique =
+  const ByteImage oblique =
       Rendered("sample_scene_1.txt", {"--cam-pos", "0,0,-1", "--cam-axis", "0,0.707,0.707", "--cam-angle", "20"});
   EXPECT_LE(DifferentPixels(oblique, Reference("sample_scene_1_cam_oblique20.png")), 4);
-  const BytePicture up = Rendered("sample_scene_1.txt", {"--cam-axis", "1,0,0", "--cam-angle", "-45"});
+  const ByteImage up = Rendered("sample_scene_1.txt", {"--cam-axis", "1,0,0", "--cam-angle", "-45"});
   for (const auto& pixel : up.pixels) ASSERT_EQ(pixel, (std::array{0, 0, 0}));  // past everything
 }
 
@@ -127,8 +127,8 @@ bool IsLitBunny(const std::array<int, 3>& pixel) {
 // by a level or two; without that, 99 % of the pixels would be within 2 levels.
 TEST(Comp30019Pictures, TheBunnyFacesAsItDoesInTheCourse) {
   NEEDS_THE_COURSE();
-  const BytePicture ours = Rendered("sample_scene_obj.txt", {}), theirs = Reference("sample_scene_obj_x1.png");
-  const BytePicture flat = Rendered("sample_scene_obj.txt", {"-mode", "flat"}, Form::raypro);
+  const ByteImage ours = Rendered("sample_scene_obj.txt", {}), theirs = Reference("sample_scene_obj_x1.png");
+  const ByteImage flat = Rendered("sample_scene_obj.txt", {"-mode", "flat"}, Form::raypro);
   ASSERT_EQ(ours.pixels.size(), theirs.pixels.size());
   constexpr std::array bunny_color{255, 127, 255};
   int lit_in_one = 0, lit_in_both = 0, of_bunny = 0, alike = 0;

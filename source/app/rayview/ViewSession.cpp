@@ -181,11 +181,11 @@ class Session : public ViewerHost {
     if (options.view.panels != "off") viewer_.ShowPanels(first_look_);
     if (!options.files.scene.empty()) return;
     ToggleSceneList(viewer_.state());
-    viewer_.Tell("choose a scene, or drop a file here; H: help");
+    viewer_.ShowMessage("choose a scene, or drop a file here; H: help");
   }
 
   /// Shows mistakes in the file, because of which another scene is displayed.
-  void ShowMistakes(const SceneErrors& mistakes) { viewer_.TellMistakes(mistakes); }
+  void ShowMistakes(const SceneErrors& mistakes) { viewer_.ShowMistakes(mistakes); }
 
   int Run() {
     if (window_) Happen(ResizeEvent{window_->Width(), window_->Height(), window_->Scale()});
@@ -250,7 +250,7 @@ class Session : public ViewerHost {
     }
   }
   std::vector<std::string> RecentScenes() override { return recent_.Files(); }
-  ReferenceImage ReadPicture(const std::string& file) override {
+  ReferenceImage ReadImage(const std::string& file) override {
     inputs_.push_back(file);
     return ReadImageOrNone(file);
   }
@@ -331,7 +331,7 @@ class Session : public ViewerHost {
     if (!wants_drawing_) return;
     wants_drawing_ = false;
     Draw();
-    viewer_.Tell(Attempt([&] {
+    viewer_.ShowMessage(Attempt([&] {
       // JPEG degrades letters and lines.
       const ImageOutput place = ClaimImageName(R2::FormatForName("image.png") ? "png" : "jpg");
       ray::SaveDrawing(place, painter_.canvas.Read(), options_.encoding);
@@ -401,8 +401,7 @@ class Session : public ViewerHost {
       } else if (std::holds_alternative<WaitForImage>(step)) {
         ShowWholeImage();
       } else if (const auto* rows = std::get_if<WaitForRows>(&step)) {
-        while (viewer_.Pictures().IsTracing() && viewer_.Pictures().Trace()->RowsDone() < rows->rows &&
-               StopSignal() == 0)
+        while (viewer_.Traced().IsTracing() && viewer_.Traced().Trace()->RowsDone() < rows->rows && StopSignal() == 0)
           Pause();
       } else if (const auto* wait = std::get_if<WaitSeconds>(&step)) {
         for (const auto start = Clock::now(); SecondsSince(start) < wait->seconds && StopSignal() == 0;) Pause();
@@ -413,7 +412,7 @@ class Session : public ViewerHost {
         Click(*panel);
       } else {
         viewer_.Update();
-        Print(viewer_.InWords());
+        Print(viewer_.Describe());
       }
     }
   }
@@ -424,7 +423,7 @@ class Session : public ViewerHost {
   }
   /// Shows the traced image, and waits until it is complete.
   void ShowWholeImage(bool ticks = true) {
-    if (!viewer_.Pictures().IsLive()) ShowTraced(viewer_.state(), {});
+    if (!viewer_.Traced().IsLive()) ShowTraced(viewer_.state(), {});
     WaitUntilIdle(ticks);
     viewer_.Show();  // it may request the depths of the image
     WaitUntilIdle(ticks);

@@ -11,14 +11,14 @@ namespace ray {
 /// Cameras under the digits 1 to 9, which are kept in a file beside the scene: lines of a digit and a camera line.
 class Bookmarks {
  public:
-  /// With those that the file has; "-", standard input, has no file beside it.
+  /// Reads those in the file; "-", standard input, has no file beside it.
   explicit Bookmarks(const std::string& scene);
 
   /// Takes what another window has kept in the file since; what the file lacks stays.
   void ReadAgain();
   std::optional<Camera> Find(int digit) const;
   void Set(int digit, const Camera& camera) { cameras_.insert_or_assign(digit, camera); }
-  /// What the file is to hold.
+  /// Returns the content for the file.
   std::string Text() const;
   /// Empty where there is none.
   const std::string& File() const { return file_; }

@@ -22,7 +22,7 @@ struct FlyKey {
 const std::array<FlyKey, 6> fly_keys{FlyKey{Key::w, {0, 0, 1}}, {Key::s, {0, 0, -1}}, {Key::a, {-1, 0, 0}},
                                      {Key::d, {1, 0, 0}},       {Key::q, {0, -1, 0}}, {Key::e, {0, 1, 0}}};
 
-/// The axis of the world that is most upright on the picture.
+/// The axis of the world that is most upright on the image.
 R3::Vector MostUpright(const Camera& camera) {
   const R3::Vector& up = camera.up;
   const int axis = MaxAxis(up);

@@ -27,9 +27,9 @@ class Navigator {
   void SetBox(const R3::Box& scene) { box_ = scene; }
   void SetSize(const DrawingSize& size) { size_ = size; }
 
-  /// To another view, from which Back returns.
+  /// Moves to another view, from which Back returns.
   void Go(const Camera& camera);
-  /// Whether there was a view to return to.
+  /// Returns true if there was a view to return to.
   bool Back();
   bool Forward();
 
@@ -37,7 +37,7 @@ class Navigator {
   R3::Point Center() const { return pivot_ ? *pivot_ : box_.IsEmpty() ? R3::Point{} : box_.Center(); }
   const std::optional<R3::Point>& Pivot() const { return pivot_; }
   void SetPivot(const std::optional<R3::Point>& pivot) { pivot_ = pivot; }
-  /// With a turntable, as it begins, the vertical stays upright on the picture.
+  /// Selects a turntable, the initial mode: the vertical stays upright in the image.
   void ToggleTurntable();
   bool IsTurntable() const { return is_turntable_; }
 
@@ -56,7 +56,7 @@ class Navigator {
   bool HoldKey(const KeyEvent& event);
   /// Time passes: moves on as long as keys are held.
   void Advance(double seconds);
-  /// In radii of the scene per second.
+  /// The speed, in radii of the scene per second.
   double FlySpeed() const { return fly_speed_; }
 
  private:

@@ -12,7 +12,8 @@ namespace ray {
 
 // What is shown and chosen, and what is closed again.
 
-/// Ends the uppermost of what is open: the help, a scene being read, the flat image, the crop, the pick, the cross section, the rendering.
+/// Ends the uppermost of what is open: the help, a scene being read, the flat image, the crop, the pick, the cross
+/// section, the rendering.
 void Peel(ViewerState& viewer);
 /// Unless that would lose something; then when it is asked for again.
 void Quit(ViewerState& viewer);
@@ -29,7 +30,7 @@ void ShowPanels(ViewerState& viewer, const PanelSettings& look);
 void SetPanelLook(ViewerState& viewer, const PanelSettings& look);
 /// A node of the scene graph to look at, into World::Nodes; nothing for none.
 void ChooseNode(ViewerState& viewer, std::optional<std::size_t> node);
-/// Describes and chooses what is seen at a position of the picture.
+/// Describes and chooses what is seen at a position of the image.
 void PickAt(ViewerState& viewer, const R2::Point& position);
 void FocusUnderPointer(ViewerState& viewer);
 
@@ -58,7 +59,7 @@ void RecallBookmark(ViewerState& viewer, int digit);
 
 /// Shows it from now on; the camera stays.
 void TakeScene(ViewerState& viewer, std::shared_ptr<const LoadedScene> scene);
-/// Empty for the option's default. While the picture of key S is being rendered options stay as they are.
+/// Empty for the option's default. While the image of key S is being rendered options stay as they are.
 void ChangeOption(ViewerState& viewer, const std::string& name, const std::string& value);
 /// Reads the scene with these texts in place of its files, and shows it; camera, options and images stay. Then calls
 /// `then` with the problem if it could not, else with an empty text.
@@ -66,18 +67,18 @@ void ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts,
                std::function<void(const std::string& problem)> then);
 /// Returns why it could not be written, else nothing.
 std::string SaveScene(ViewerState& viewer, const std::string& file, const std::string& text);
-/// Unless that would lose edits; then a message says so, and it is opened when it is asked for again. A picture is the
+/// Unless that would lose edits; then a message says so, and it is opened when it is asked for again. An image is the
 /// reference from then on.
 void OpenScene(ViewerState& viewer, const std::string& file);
-/// To the scene so many files behind this one in its folder, or before it.
+/// Opens the scene `by` files after this one in its folder; negative: before it.
 void OpenNeighbor(ViewerState& viewer, int by);
 void ToggleSceneList(ViewerState& viewer);
-/// What the disk has, in place of edits.
+/// Reads the scene from the disk, which discards edits.
 void ReadFromDisk(ViewerState& viewer);
 /// The files of the scene have changed.
-void TellOfChangedFiles(ViewerState& viewer);
+void TakeChangedFiles(ViewerState& viewer);
 /// `file` was to be read, and has mistakes.
-void TellProblems(ViewerState& viewer, const std::string& file, const std::exception& error);
+void ShowProblems(ViewerState& viewer, const std::string& file, const std::exception& error);
 
 // Rendering of the view: by key S row by row, and live.
 
@@ -104,22 +105,22 @@ void StopComparingAccelerators(ViewerState& viewer);
 
 // Finished images: their exposure, the strip of them, and how they are compared.
 
-/// In stops: each doubles the light.
+/// Sets the exposure, in stops: each doubles the light.
 void SetExposure(ViewerState& viewer, double steps);
-/// By so many stops; 0 resets it.
+/// Changes it by so many stops; 0 resets it.
 void ChangeExposure(ViewerState& viewer, double steps);
 /// A finished image goes to the strip of them.
 void KeepImage(ViewerState& viewer, const RenderJob& job);
 /// One of the strip in place of the current image; nothing for the current one. It is the reference as well.
 void ShowImage(ViewerState& viewer, std::optional<std::size_t> index);
 std::optional<std::size_t> ShownImage(const ViewerState& viewer);
-/// To the image so many further on in the strip.
+/// Shows the image `by` places further in the strip.
 void FlipImages(ViewerState& viewer, int by);
 void KeepReference(ViewerState& viewer);
 /// Toggles the comparison.
-void Compare(ViewerState& viewer, TracedPictures::Comparing how);
+void Compare(ViewerState& viewer, TracedImages::Comparing how);
 void StopShowingReference(ViewerState& viewer);
-/// In false colors, and then by FLIP.
+/// Shows false colors, then FLIP.
 void CompareInFalseColors(ViewerState& viewer);
 
 // The rendered image shown flat.
@@ -152,7 +153,7 @@ void StepBounce(ViewerState& viewer, int by);
 void ChooseRay(ViewerState& viewer, std::optional<std::size_t> ray);
 void ToggleRays(ViewerState& viewer, ShownRays kind);
 void ToggleNormals(ViewerState& viewer);
-/// How many rays are traced to be looked at from now on.
+/// Sets the number of rays that are traced for inspection.
 void SetDebugRays(ViewerState& viewer, const DebugRayCounts& counts);
 
 // The cross section beside the view.
@@ -164,11 +165,11 @@ void NextPlane(ViewerState& viewer);
 void MoveSection(ViewerState& viewer, int by);
 /// Moves it to the row under the pointer, where it is along a row of the image and the pointer is over the view.
 void FollowByCut(ViewerState& viewer);
-/// How wide all lines are, in pixels: wider on denser screens.
+/// Returns the width of all lines, in pixels: more on denser screens.
 int LineWidth(const ViewerState& viewer);
 /// Makes its drawing again where that is due; it is shown.
 void MakeSection(ViewerState& viewer);
-/// What is under the pointer; empty where that is not on the cross section.
+/// Describes what is under the pointer; empty if the pointer is not on the cross section.
 std::string TextOfSection(const ViewerState& viewer);
 
 }  // namespace ray

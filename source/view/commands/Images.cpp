@@ -13,7 +13,7 @@ namespace ray {
 void SetExposure(ViewerState& viewer, double steps) {
   viewer.exposure_steps = steps;
   viewer.notices.Redraw();
-  viewer.notices.Tell("exposure " + Rounded(steps, 4) + (std::abs(steps) == 1 ? " stop" : " stops"));
+  viewer.notices.Show("exposure " + Rounded(steps, 4) + (std::abs(steps) == 1 ? " stop" : " stops"));
 }
 
 void ChangeExposure(ViewerState& viewer, double steps) {
@@ -31,7 +31,7 @@ void KeepImage(ViewerState& viewer, const RenderJob& job) {
 }
 
 std::optional<std::size_t> ShownImage(const ViewerState& viewer) {
-  if (!viewer.shown_image || viewer.pictures.HowCompared() != TracedPictures::Comparing::reference) return {};
+  if (!viewer.shown_image || viewer.traced.HowCompared() != TracedImages::Comparing::reference) return {};
   const auto& all = viewer.images.All();
   const auto found = std::ranges::find(all, viewer.shown_image, &KeptImage::image);
   if (found == all.end()) return {};
@@ -42,28 +42,27 @@ void ShowImage(ViewerState& viewer, std::optional<std::size_t> index) {
   viewer.notices.Redraw();
   if (!index || *index >= viewer.images.All().size()) {
     viewer.shown_image.reset();
-    viewer.pictures.Compare(TracedPictures::Comparing::no);
-    return viewer.notices.Tell("the current image");
+    viewer.traced.Compare(TracedImages::Comparing::no);
+    return viewer.notices.Show("the current image");
   }
   viewer.shown_image = viewer.images.All()[*index].image;
-  viewer.pictures.SetReference({viewer.shown_image});
-  viewer.pictures.Compare(TracedPictures::Comparing::reference);
-  viewer.notices.Tell("image " + std::to_string(viewer.images.NumberOf(*index)) + ", now the reference");
+  viewer.traced.SetReference({viewer.shown_image});
+  viewer.traced.Compare(TracedImages::Comparing::reference);
+  viewer.notices.Show("image " + std::to_string(viewer.images.NumberOf(*index)) + ", now the reference");
 }
 
 void StopShowingReference(ViewerState& viewer) {
-  if (viewer.pictures.HowCompared() == TracedPictures::Comparing::reference)
-    Compare(viewer, TracedPictures::Comparing::no);
+  if (viewer.traced.HowCompared() == TracedImages::Comparing::reference) Compare(viewer, TracedImages::Comparing::no);
 }
 
 void CompareInFalseColors(ViewerState& viewer) {
-  const bool has_them = viewer.pictures.HowCompared() == TracedPictures::Comparing::false_colors;
-  Compare(viewer, has_them ? TracedPictures::Comparing::flip : TracedPictures::Comparing::false_colors);
+  const bool has_them = viewer.traced.HowCompared() == TracedImages::Comparing::false_colors;
+  Compare(viewer, has_them ? TracedImages::Comparing::flip : TracedImages::Comparing::false_colors);
 }
 
 void FlipImages(ViewerState& viewer, int by) {
   const auto count = static_cast<int>(viewer.images.All().size());
-  if (count == 0) return viewer.notices.Tell("no image is finished yet; S renders one");
+  if (count == 0) return viewer.notices.Show("no image is finished yet; S renders one");
   // The current image is between the last and the first.
   const auto shown = ShownImage(viewer);
   const int now = shown ? static_cast<int>(*shown) : count;
@@ -72,16 +71,16 @@ void FlipImages(ViewerState& viewer, int by) {
 }
 
 void KeepReference(ViewerState& viewer) {
-  const auto current = viewer.pictures.Current();
-  if (!current) return viewer.notices.Tell("nothing is rendered yet; press S or P first");
-  viewer.pictures.SetReference({current});
-  viewer.notices.Tell("image kept as the reference");
+  const auto current = viewer.traced.Current();
+  if (!current) return viewer.notices.Show("nothing is rendered yet; press S or P first");
+  viewer.traced.SetReference({current});
+  viewer.notices.Show("image kept as the reference");
 }
 
-void Compare(ViewerState& viewer, TracedPictures::Comparing how) {
-  viewer.pictures.Compare(viewer.pictures.HowCompared() == how ? TracedPictures::Comparing::no : how);
-  viewer.notices.Tell(viewer.pictures.HowCompared() == TracedPictures::Comparing::no ? "comparing off"
-                                                                                     : viewer.pictures.Comparison());
+void Compare(ViewerState& viewer, TracedImages::Comparing how) {
+  viewer.traced.Compare(viewer.traced.HowCompared() == how ? TracedImages::Comparing::no : how);
+  viewer.notices.Show(viewer.traced.HowCompared() == TracedImages::Comparing::no ? "comparing off"
+                                                                                 : viewer.traced.Comparison());
 }
 
 namespace {
@@ -89,7 +88,7 @@ namespace {
 constexpr double zoom_of_a_step = 1.25;
 constexpr double reach_of_slider = 5;       // pixels to each side in which it is taken hold of
 constexpr double largest_preview = 16'384;  // pixels a side: OpenGL's least limit of a viewport, where it has one
-constexpr double largest_picture = 262'144;
+constexpr double largest_image = 262'144;
 
 }  // namespace
 
@@ -97,21 +96,21 @@ void ToggleFlat(ViewerState& viewer) {
   viewer.notices.RedrawLines();
   if (viewer.flat.IsShown()) {
     viewer.flat.Hide();
-    return viewer.notices.Tell("flat image off");
+    return viewer.notices.Show("flat image off");
   }
-  if (!viewer.pictures.Trace() && !viewer.pictures.IsLive())
-    return viewer.notices.Tell("nothing is rendered yet; press S or P first");
+  if (!viewer.traced.Trace() && !viewer.traced.IsLive())
+    return viewer.notices.Show("nothing is rendered yet; press S or P first");
   viewer.flat.Show();
-  viewer.notices.Tell("flat image: wheel zooms, drag moves, Shift+drag slides against the " +
-                      std::string(viewer.pictures.Reference() ? "reference" : "preview"));
+  viewer.notices.Show("flat image: wheel zooms, drag moves, Shift+drag slides against the " +
+                      std::string(viewer.traced.Reference() ? "reference" : "preview"));
 }
 
 void DragFlat(ViewerState& viewer, const R2::Point& from, const R2::Point& to, bool moves_slider) {
   if (moves_slider) {
-    if (!viewer.pictures.Reference() && viewer.PlaceOfPicture().width > largest_preview)
-      return viewer.notices.Tell("zoom out to slide against the preview");
+    if (!viewer.traced.Reference() && viewer.PlaceOfShownImage().width > largest_preview)
+      return viewer.notices.Show("zoom out to slide against the preview");
     viewer.flat.SetSlider(to.x / viewer.layout().view.width);
-    viewer.notices.Tell("slider at " + Rounded(100 * viewer.flat.Slider(), 3) + " %");
+    viewer.notices.Show("slider at " + Rounded(100 * viewer.flat.Slider(), 3) + " %");
   } else {
     viewer.flat.Pan(to - from);
   }
@@ -124,9 +123,9 @@ bool TakesSlider(const ViewerState& viewer, const ButtonEvent& event) {
 }
 
 void ZoomFlat(ViewerState& viewer, const ScrollEvent& event) {
-  viewer.flat.Zoom(R1::Pow(zoom_of_a_step, event.steps), {event.x, event.y}, viewer.FittingPicture(),
-                   viewer.pictures.Reference() || viewer.flat.Slider() == 1 ? largest_picture : largest_preview);
-  viewer.notices.Tell("zoom " + Fixed(100 * viewer.PlaceOfPicture().width / viewer.SettingsOfPicture().width, 0) +
+  viewer.flat.Zoom(R1::Pow(zoom_of_a_step, event.steps), {event.x, event.y}, viewer.FittingPlace(),
+                   viewer.traced.Reference() || viewer.flat.Slider() == 1 ? largest_image : largest_preview);
+  viewer.notices.Show("zoom " + Fixed(100 * viewer.PlaceOfShownImage().width / viewer.SettingsOfShownImage().width, 0) +
                       " %");
 }
 

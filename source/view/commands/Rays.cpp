@@ -13,9 +13,9 @@ namespace {
 
 constexpr const char* no_rays = "no rays are shown; press G or right-click a pixel first";
 
-/// What a grid of rays is of: the rendered image, or the view.
+/// Returns the settings for a grid of rays: those of the rendered image, or of the view.
 RenderSettings SettingsOfGrid(const ViewerState& viewer) {
-  return viewer.pictures.Trace() ? viewer.pictures.Trace()->Settings() : viewer.SettingsOfImage();
+  return viewer.traced.Trace() ? viewer.traced.Trace()->Settings() : viewer.SettingsOfImage();
 }
 
 /// The pixel of the rendered image that is seen there on its quad.
@@ -32,11 +32,11 @@ std::optional<TracedQuad::Meeting> PixelOnQuad(const ViewerState& viewer, const 
 }
 
 /// The plane of the cross section is another.
-void TellPlane(ViewerState& viewer) {
+void ShowPlane(ViewerState& viewer) {
   viewer.section_pane.takes_arrows = true;
   viewer.section_pane.drawing.reset();
   if (viewer.section.IsShown()) MakeSection(viewer);
-  viewer.notices.Tell("cross section: " + viewer.section.Describe(viewer.screen.size.height));
+  viewer.notices.Show("cross section: " + viewer.section.Describe(viewer.screen.size.height));
 }
 
 void ReportPixel(ViewerState& viewer) {
@@ -48,7 +48,7 @@ void ReportPixel(ViewerState& viewer) {
                             : difference ? "; the first of the other rays that differs: " + difference->text
                                          : "; the other rays are as ours";
   if (!found.empty()) viewer.host.Print(found.substr(2));
-  viewer.notices.Tell("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
+  viewer.notices.Show("pixel " + std::to_string(pixel.column) + " " + std::to_string(pixel.row) + ", " +
                       Counted(pixel.rays.size(), "ray") + viewer.rays.WhatIsLeftOut() + found);
   viewer.notices.RedrawLines();
 }
@@ -59,18 +59,18 @@ void ToggleGrid(ViewerState& viewer) {
   viewer.notices.RedrawLines();
   if (viewer.rays.ShowsGrid()) {
     viewer.rays.ToggleGrid();
-    return viewer.notices.Tell("rays off");
+    return viewer.notices.Show("rays off");
   }
   viewer.rays.TraceGrid(viewer.scene.Loaded(), SettingsOfGrid(viewer));
-  viewer.notices.Tell("rays of " + Counted(viewer.rays.Grid().size(), "pixel") + "; F2 to F5 choose kinds, N bounces");
+  viewer.notices.Show("rays of " + Counted(viewer.rays.Grid().size(), "pixel") + "; F2 to F5 choose kinds, N bounces");
 }
 
 void DebugPixelAt(ViewerState& viewer, const R2::Point& position) {
   if (const auto pixel = viewer.FlatJob() ? std::nullopt : PixelOnQuad(viewer, position)) {
-    viewer.rays.TracePixel(viewer.scene.Loaded(), viewer.pictures.Trace()->Settings(), pixel->column, pixel->row);
+    viewer.rays.TracePixel(viewer.scene.Loaded(), viewer.traced.Trace()->Settings(), pixel->column, pixel->row);
   } else {
-    const R2::Point p = viewer.InPicture(position);
-    const RenderSettings settings = viewer.SettingsOfPicture();
+    const R2::Point p = viewer.InShownImage(position);
+    const RenderSettings settings = viewer.SettingsOfShownImage();
     if (p.x < 0 || p.y < 0 || p.x >= settings.width || p.y >= settings.height) return;
     viewer.rays.TracePixel(viewer.scene.Loaded(), settings, static_cast<int>(p.x), static_cast<int>(p.y));
   }
@@ -83,7 +83,7 @@ void ShowForeignRays(ViewerState& viewer, const std::string& file) {
     if (!text) throw SceneErrors({ErrorIn(file, "the file cannot be read")});
     ShowForeignRays(viewer, file, ReadForeignRays({file, *text}));
   } catch (const std::exception& error) {
-    TellProblems(viewer, file, error);
+    ShowProblems(viewer, file, error);
   }
 }
 
@@ -94,7 +94,7 @@ void ShowForeignRays(ViewerState& viewer, const std::string& file, ForeignRays f
   const std::string count = Counted(foreign.rays.size(), "ray");
   viewer.rays.SetForeign(std::move(foreign.rays));
   if (!pixel)
-    return viewer.notices.Tell(count + " of " + file +
+    return viewer.notices.Show(count + " of " + file +
                                "; none of them is a camera ray through the image, so right-click its pixel");
   viewer.rays.TracePixel(viewer.scene.Loaded(), settings, pixel->column, pixel->row);
   ReportPixel(viewer);
@@ -106,29 +106,29 @@ void MoveByArrow(ViewerState& viewer, int right, int up) {
   } else if (viewer.rays.StepPixel(viewer.scene.Loaded(), right, up)) {
     ReportPixel(viewer);
   } else {
-    viewer.notices.Tell(viewer.rays.Pixel() ? "the border of the picture" : "right-click a pixel first, or press X");
+    viewer.notices.Show(viewer.rays.Pixel() ? "the border of the image" : "right-click a pixel first, or press X");
   }
 }
 
 void SaveRays(ViewerState& viewer) {
   const auto shown = viewer.rays.Shown();
-  if (shown.empty()) return viewer.notices.Tell(no_rays);
-  viewer.notices.Tell(viewer.host.SaveRays(RaysAsObj(shown, viewer.scene.Space().radius)));
+  if (shown.empty()) return viewer.notices.Show(no_rays);
+  viewer.notices.Show(viewer.host.SaveRays(RaysAsObj(shown, viewer.scene.Space().radius)));
 }
 
 void StepBounce(ViewerState& viewer, int by) {
-  if (viewer.rays.Shown().empty()) return viewer.notices.Tell(no_rays);
+  if (viewer.rays.Shown().empty()) return viewer.notices.Show(no_rays);
   viewer.rays.StepBounce(by);
   viewer.notices.RedrawLines();
   const int deepest = viewer.rays.Look().deepest;
-  viewer.notices.Tell(deepest < 0 ? "rays of all bounces" : "rays of up to " + std::to_string(deepest) + " bounces");
+  viewer.notices.Show(deepest < 0 ? "rays of all bounces" : "rays of up to " + std::to_string(deepest) + " bounces");
 }
 
 void ForgetPixel(ViewerState& viewer) {
-  if (!viewer.rays.Pixel()) return viewer.notices.Tell("no pixel's rays are shown; right-click a pixel first");
+  if (!viewer.rays.Pixel()) return viewer.notices.Show("no pixel's rays are shown; right-click a pixel first");
   viewer.rays.ForgetPixel();
   viewer.notices.RedrawLines();
-  viewer.notices.Tell("the pixel's rays are cleared");
+  viewer.notices.Show("the pixel's rays are cleared");
 }
 
 void ChooseRay(ViewerState& viewer, std::optional<std::size_t> ray) {
@@ -144,13 +144,13 @@ void ToggleRays(ViewerState& viewer, ShownRays kind) {
   viewer.rays.Toggle(kind);
   viewer.section_pane.drawing.reset();
   viewer.notices.RedrawLines();
-  viewer.notices.Tell(std::string(names[i]) + (viewer.rays.Look().shows[i] ? " on" : " off"));
+  viewer.notices.Show(std::string(names[i]) + (viewer.rays.Look().shows[i] ? " on" : " off"));
 }
 
 void ToggleNormals(ViewerState& viewer) {
   viewer.rays.ToggleNormals();
   viewer.notices.RedrawLines();
-  viewer.notices.Tell(std::string("normals at hit points") + (viewer.rays.Look().normals ? " on" : " off"));
+  viewer.notices.Show(std::string("normals at hit points") + (viewer.rays.Look().normals ? " on" : " off"));
 }
 
 void SetDebugRays(ViewerState& viewer, const DebugRayCounts& counts) {
@@ -159,7 +159,7 @@ void SetDebugRays(ViewerState& viewer, const DebugRayCounts& counts) {
   viewer.rays.TraceAgain(viewer.scene.Loaded());
   viewer.section_pane.drawing.reset();
   viewer.notices.RedrawLines();
-  viewer.notices.Tell(Counted(static_cast<std::uint64_t>(counts.camera), "camera ray") + " per pixel, " +
+  viewer.notices.Show(Counted(static_cast<std::uint64_t>(counts.camera), "camera ray") + " per pixel, " +
                       Counted(static_cast<std::uint64_t>(counts.shadow), "shadow ray") +
                       " per light; cut: " + Counted(static_cast<std::uint64_t>(counts.in_cut), "pixel"));
 }
@@ -168,7 +168,7 @@ void ToggleSection(ViewerState& viewer) {
   viewer.section.Toggle();
   viewer.section_pane.takes_arrows = viewer.section.IsShown();
   viewer.section_pane.drawing.reset();
-  viewer.notices.Tell(viewer.section.IsShown() ? "cross section on" : "cross section off");
+  viewer.notices.Show(viewer.section.IsShown() ? "cross section on" : "cross section off");
 }
 
 void ShowSection(ViewerState& viewer, SlicePlane plane) {
@@ -178,7 +178,7 @@ void ShowSection(ViewerState& viewer, SlicePlane plane) {
 
 void NextPlane(ViewerState& viewer) {
   viewer.section.NextPlane();
-  TellPlane(viewer);
+  ShowPlane(viewer);
 }
 
 void FollowByCut(ViewerState& viewer) {
@@ -192,7 +192,7 @@ void FollowByCut(ViewerState& viewer) {
 
 void MoveSection(ViewerState& viewer, int by) {
   viewer.section.Move(by, viewer.screen.size.height);
-  TellPlane(viewer);
+  ShowPlane(viewer);
 }
 
 int LineWidth(const ViewerState& viewer) { return std::max(1, static_cast<int>(std::lround(viewer.screen.scale))); }
@@ -216,10 +216,10 @@ void MakeSection(ViewerState& viewer) {
 std::string TextOfSection(const ViewerState& viewer) {
   if (!viewer.section_pane.drawing || !viewer.layout().IsOnSection(viewer.screen.pointer)) return {};
   const Layout layout = viewer.layout();
-  return viewer.section.Tell(layout.OnSection(viewer.screen.pointer),
-                             viewer.section_pane.measured_from
-                                 ? std::optional(layout.OnSection(*viewer.section_pane.measured_from))
-                                 : std::nullopt);
+  return viewer.section.DescribePlace(layout.OnSection(viewer.screen.pointer),
+                                      viewer.section_pane.measured_from
+                                          ? std::optional(layout.OnSection(*viewer.section_pane.measured_from))
+                                          : std::nullopt);
 }
 
 }  // namespace ray

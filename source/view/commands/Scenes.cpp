@@ -8,14 +8,14 @@
 namespace ray {
 namespace {
 
-/// Whether a file holds rays of another tracer.
+/// Returns true if a file contains rays of another tracer.
 bool HoldsForeignRays(const std::string& file) {
   const std::string extension = std::filesystem::path(file).extension();
   return (extension == ".rays" || extension == ".obj") && IsForeignRays({file, ReadSceneFile(file).value_or("")});
 }
 
 void MakeFaces(ViewerState& viewer) {
-  viewer.pictures.SetEncoding({viewer.settings.render.srgb, viewer.settings.render.quantization});
+  viewer.traced.SetEncoding({viewer.settings.render.srgb, viewer.settings.render.quantization});
   viewer.scene.MakeFaces(viewer.settings.render);
 }
 
@@ -41,9 +41,9 @@ void Reload(ViewerState& viewer, EditedTexts texts) {
     const bool showed_nothing = viewer.scene.world().Instances().empty();
     TakeScene(viewer, std::move(scene));
     if (showed_nothing) viewer.navigator.Go(viewer.scene.Parsed().camera);
-    viewer.notices.Tell("scene reloaded" + viewer.NotesAfterMessage());
+    viewer.notices.Show("scene reloaded" + viewer.NotesAfterMessage());
   };
-  const auto refuse = [&viewer](const std::exception& error) { TellProblems(viewer, viewer.settings.scene, error); };
+  const auto refuse = [&viewer](const std::exception& error) { ShowProblems(viewer, viewer.settings.scene, error); };
   viewer.reader.Read(viewer.settings.scene, parse, viewer.settings.accelerator, texts != nullptr, show, refuse);
 }
 
@@ -58,22 +58,22 @@ void TakeScene(ViewerState& viewer, std::shared_ptr<const LoadedScene> scene) {
   viewer.watch.Watch(viewer.scene.Parsed().files);
   viewer.rays.ForgetAll();
   viewer.section_pane.drawing.reset();
-  viewer.pictures.Touch();
+  viewer.traced.Touch();
   viewer.notices.RedrawLines();
 }
 
 void ChangeOption(ViewerState& viewer, const std::string& name, const std::string& value) {
-  // What is saved at its end is to be the picture of one command.
-  if (viewer.pictures.IsUnsaved()) {
+  // What is saved at its end is to be the image of one command.
+  if (viewer.traced.IsUnsaved()) {
     viewer.option_changes.problem = "an image is being rendered; Escape stops it";
-    return viewer.notices.Tell(viewer.option_changes.problem);
+    return viewer.notices.Show(viewer.option_changes.problem);
   }
   ViewerSettings changed;
   try {
     changed = viewer.host.ChangeOption(name, value);
   } catch (const std::exception& error) {
     viewer.option_changes.problem = error.what();
-    return viewer.notices.Tell(viewer.option_changes.problem);
+    return viewer.notices.Show(viewer.option_changes.problem);
   }
   viewer.option_changes.problem.clear();
   changed.parse.edited = viewer.settings.parse.edited;
@@ -86,9 +86,9 @@ void ChangeOption(ViewerState& viewer, const std::string& name, const std::strin
   viewer.settings.budget_of_rest = changed.budget_of_rest;
   if (is_read_again) return Reload(viewer, viewer.settings.parse.edited);
   MakeFaces(viewer);
-  viewer.pictures.Touch();
+  viewer.traced.Touch();
   viewer.notices.RedrawLines();
-  viewer.notices.Tell("-" + name + " " + value);
+  viewer.notices.Show("-" + name + " " + value);
 }
 
 void ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts,
@@ -122,22 +122,22 @@ void ReadFromDisk(ViewerState& viewer) {
   Reload(viewer, nullptr);
 }
 
-void TellOfChangedFiles(ViewerState& viewer) {
+void TakeChangedFiles(ViewerState& viewer) {
   if (!viewer.editor.HasUnsaved() && !viewer.reader.IsReadingEdit()) return ReadFromDisk(viewer);
-  viewer.notices.Tell("the scene has changed on the disk; your changes stay, Control+S saves them");
+  viewer.notices.Show("the scene has changed on the disk; your changes stay, Control+S saves them");
 }
 
-void TellProblems(ViewerState& viewer, const std::string& file, const std::exception& error) {
+void ShowProblems(ViewerState& viewer, const std::string& file, const std::exception& error) {
   viewer.scene.KeepMistakes(file, error);
   viewer.host.Print(error.what());
   const std::string text = error.what();
-  viewer.notices.Tell(text.substr(0, text.find('\n')));
+  viewer.notices.Show(text.substr(0, text.find('\n')));
 }
 
 void OpenScene(ViewerState& viewer, const std::string& file) {
-  if (ReferenceImage picture = viewer.host.ReadPicture(file)) {
-    viewer.pictures.SetReference(std::move(picture));
-    return viewer.notices.Tell("the reference is " + file);
+  if (ReferenceImage image = viewer.host.ReadImage(file)) {
+    viewer.traced.SetReference(std::move(image));
+    return viewer.notices.Show("the reference is " + file);
   }
   if (std::error_code error; std::filesystem::is_regular_file(file, error) && HoldsForeignRays(file))
     return ShowForeignRays(viewer, file);
@@ -150,21 +150,21 @@ void OpenScene(ViewerState& viewer, const std::string& file) {
     viewer.settings.parse.edited.reset();
     viewer.editor.Forget();
     viewer.bookmarks = Bookmarks(file);
-    viewer.pictures.ForgetTrace();
+    viewer.traced.ForgetTrace();
     viewer.flat.Hide();
     TakeScene(viewer, std::move(scene));
     viewer.navigator.SetPivot({});
     viewer.navigator.Go(viewer.scene.Parsed().camera);
-    viewer.notices.Tell("opened " + file + viewer.NotesAfterMessage());
+    viewer.notices.Show("opened " + file + viewer.NotesAfterMessage());
   };
-  const auto refuse = [&viewer, file](const std::exception& error) { TellProblems(viewer, file, error); };
+  const auto refuse = [&viewer, file](const std::exception& error) { ShowProblems(viewer, file, error); };
   viewer.reader.Read(file, unedited, viewer.settings.accelerator, false, show, refuse);
 }
 
 void OpenNeighbor(ViewerState& viewer, int by) {
   const std::string& from = viewer.reader.IsBusy() ? viewer.reader.File() : viewer.settings.scene;
   const std::string file = NeighborOf(from, ScenesBeside(from), by);
-  if (file.empty()) return viewer.notices.Tell("there is no other scene in the folder");
+  if (file.empty()) return viewer.notices.Show("there is no other scene in the folder");
   OpenScene(viewer, file);
 }
 
@@ -172,7 +172,7 @@ void ToggleSceneList(ViewerState& viewer) {
   viewer.shows.scenes = !viewer.shows.scenes;
   if (viewer.shows.scenes && !viewer.shows.panels) ShowPanels(viewer, viewer.panels->Look());
   if (viewer.shows.panels)
-    viewer.notices.Tell(viewer.shows.scenes ? "scenes to open are in the panels" : "the list of scenes is closed");
+    viewer.notices.Show(viewer.shows.scenes ? "scenes to open are in the panels" : "the list of scenes is closed");
 }
 
 }  // namespace ray

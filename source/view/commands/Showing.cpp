@@ -6,7 +6,7 @@ namespace ray {
 namespace {
 
 std::string BoxesOf(const ViewerState& viewer) {
-  return BoxesInWords(viewer.overlays, viewer.scene.world(), *viewer.scene.Loaded().accelerator, viewer.scene.Space());
+  return DescribeBoxes(viewer.overlays, viewer.scene.world(), *viewer.scene.Loaded().accelerator, viewer.scene.Space());
 }
 
 }  // namespace
@@ -14,13 +14,13 @@ std::string BoxesOf(const ViewerState& viewer) {
 void Toggle(ViewerState& viewer, const char* what, bool SpaceOverlays::*shows) {
   viewer.overlays.*shows = !(viewer.overlays.*shows);
   viewer.notices.RedrawLines();
-  viewer.notices.Tell(std::string(what) + (viewer.overlays.*shows ? " on" : " off"));
+  viewer.notices.Show(std::string(what) + (viewer.overlays.*shows ? " on" : " off"));
 }
 
 void Peel(ViewerState& viewer) {
   if (viewer.shows.help) return ToggleHelp(viewer);
   if (viewer.reader.IsBusy()) {
-    viewer.notices.Tell("stopped " + viewer.reader.Describe());
+    viewer.notices.Show("stopped " + viewer.reader.Describe());
     return viewer.reader.Stop();
   }
   if (viewer.flat.IsShown()) return ToggleFlat(viewer);
@@ -28,20 +28,20 @@ void Peel(ViewerState& viewer) {
   if (viewer.selection.pick) {
     viewer.selection.pick.reset();
     ChooseNode(viewer, {});
-    return viewer.notices.Tell("pick forgotten");
+    return viewer.notices.Show("pick forgotten");
   }
   if (viewer.section.IsShown()) return ToggleSection(viewer);
   if (!viewer.scene.Mistakes().empty() && viewer.scene.MistakenFile() != viewer.settings.scene) {
     viewer.scene.ForgetMistakes();
-    return viewer.notices.Tell("mistakes of " + viewer.scene.MistakenFile() + " forgotten");
+    return viewer.notices.Show("mistakes of " + viewer.scene.MistakenFile() + " forgotten");
   }
-  viewer.notices.Tell(viewer.pictures.StopTrace() || viewer.pictures.StopLive() ? "rendering is being stopped"
-                                                                                : "nothing to close; Q quits");
+  viewer.notices.Show(viewer.traced.StopTrace() || viewer.traced.StopLive() ? "rendering is being stopped"
+                                                                            : "nothing to close; Q quits");
 }
 
 void Quit(ViewerState& viewer) {
   if (!viewer.editor.MayLose("quit")) return;
-  if (viewer.pictures.IsTracing() &&
+  if (viewer.traced.IsTracing() &&
       !viewer.notices.Confirms("still rendering; Q, or closing the window, once more quits without saving"))
     return;
   viewer.is_closed = true;
@@ -50,7 +50,7 @@ void Quit(ViewerState& viewer) {
 void ToggleLights(ViewerState& viewer) {
   viewer.overlays.lights = !viewer.overlays.lights;
   viewer.notices.RedrawLines();
-  if (!viewer.overlays.lights) return viewer.notices.Tell("lights off");
+  if (!viewer.overlays.lights) return viewer.notices.Show("lights off");
   int lights = 0, in_view = 0, far = 0;
   const DrawingSize view = viewer.layout().view;
   for (const auto& light : viewer.scene.Parsed().lights) {
@@ -64,7 +64,7 @@ void ToggleLights(ViewerState& viewer) {
     in_view += pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < view.width && pixel->y < view.height;
   }
   const int outside = lights - far - in_view;
-  viewer.notices.Tell(std::to_string(lights) + (lights == 1 ? " light" : " lights") +
+  viewer.notices.Show(std::to_string(lights) + (lights == 1 ? " light" : " lights") +
                       (outside > 0 ? ", " + std::to_string(outside) + " out of view; F frames them" : ""));
 }
 
@@ -77,7 +77,7 @@ void CycleBoxes(ViewerState& viewer) {
 void ShowBoxes(ViewerState& viewer, SpaceOverlays::Boxes boxes) {
   viewer.overlays.boxes = boxes;
   viewer.notices.RedrawLines();
-  viewer.notices.Tell(BoxesOf(viewer));
+  viewer.notices.Show(BoxesOf(viewer));
 }
 
 void ChangeBoxLevel(ViewerState& viewer, int by) {
@@ -85,13 +85,13 @@ void ChangeBoxLevel(ViewerState& viewer, int by) {
   constexpr int deepest = 1 << 20;
   viewer.overlays.box_level = std::clamp(viewer.overlays.box_level + by, all_levels, deepest);
   viewer.notices.RedrawLines();
-  viewer.notices.Tell(BoxesOf(viewer));
+  viewer.notices.Show(BoxesOf(viewer));
 }
 
 void ToggleHelp(ViewerState& viewer) {
   viewer.shows.help = !viewer.shows.help;
   viewer.panels->SetParts(viewer.Parts());
-  viewer.notices.Tell(viewer.shows.help ? "help; type to search it, Escape closes it" : "help closed");
+  viewer.notices.Show(viewer.shows.help ? "help; type to search it, Escape closes it" : "help closed");
 }
 
 void ShowPanels(ViewerState& viewer, const PanelSettings& look) {
@@ -107,10 +107,10 @@ void TogglePanels(ViewerState& viewer) {
     viewer.shows.panels = false;
     viewer.panels->SetParts(viewer.Parts());
     viewer.notices.RedrawLines();
-    return viewer.notices.Tell("panels off");
+    return viewer.notices.Show("panels off");
   }
   ShowPanels(viewer, viewer.panels->Look());
-  viewer.notices.Tell("panels; Tab hides them");
+  viewer.notices.Show("panels; Tab hides them");
 }
 
 void SetPanelLook(ViewerState& viewer, const PanelSettings& look) {
@@ -125,7 +125,7 @@ void ChooseNode(ViewerState& viewer, std::optional<std::size_t> node) {
 }
 
 void PickAt(ViewerState& viewer, const R2::Point& position) {
-  const RenderSettings settings = viewer.SettingsOfPicture();
+  const RenderSettings settings = viewer.SettingsOfShownImage();
   if (position.x < 0 || position.y < 0 || position.x >= settings.width || position.y >= settings.height) return;
   viewer.selection.pick = PickPixel(viewer.scene.world(), *viewer.scene.Loaded().accelerator, settings,
                                     static_cast<int>(position.x), static_cast<int>(position.y));

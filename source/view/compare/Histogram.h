@@ -7,7 +7,7 @@
 
 namespace ray {
 
-/// How the values of an image are spread, channel by channel, as they are shown: times an exposure factor, from 0 to 1.
+/// The distribution of an image's values, per channel, as shown: times an exposure factor, from 0 to 1.
 struct Histogram {
   static constexpr std::size_t bins = 64;
 

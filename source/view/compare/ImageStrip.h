@@ -31,7 +31,7 @@ class ImageStrip {
     ++added_;
   }
   const std::vector<KeptImage>& All() const { return images_; }
-  /// How many were ever added: another number for each change.
+  /// Returns the number of images ever added, which differs after each change.
   std::size_t Number() const { return added_; }
   /// The number of an image, from 1, that it keeps while older ones go.
   std::size_t NumberOf(std::size_t index) const { return added_ - images_.size() + index + 1; }

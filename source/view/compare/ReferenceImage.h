@@ -7,7 +7,7 @@
 
 namespace ray {
 
-/// How an image file of bytes holds light.
+/// The encoding of light in an image file of bytes.
 struct ByteEncoding {
   bool srgb = false;
   R2::Quantization quantization = R2::Quantization::rounded;
@@ -24,7 +24,7 @@ struct ReferenceImage {
   bool IsLight() const { return levels == 0; }
   /// The image as linear light, which is the image itself where it holds light already.
   std::shared_ptr<const R2::Image> AsLight(const ByteEncoding& encoding) const;
-  /// What `light` would be as such a file: clamped, encoded and quantized; unchanged where the reference is light.
+  /// Returns `light` as such a file would hold it: clamped, encoded and quantized; unchanged if the reference is light.
   R2::Image Comparable(const R2::Image& light, const ByteEncoding& encoding) const;
 };
 

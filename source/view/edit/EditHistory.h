@@ -28,11 +28,11 @@ EditedFiles Edited(EditedFiles files, std::span<const TextEdit> edits);
 /// The edits that take these back.
 TextEdits Reversed(std::span<const TextEdit> edits);
 
-/// Where what stood at `offset` of a file stands after the edits. An insertion right there is not in front of it: the
-/// offset is then that of what was inserted.
+/// Returns the offset after the edits of what was at `offset` of a file. An insertion right there is not in front of
+/// it: the offset is then that of what was inserted.
 std::size_t OffsetAfter(std::span<const TextEdit> edits, const std::string& file, std::size_t offset);
 
-/// Where something that can be chosen is said: the offset of its statement in a file, named by its canonical path.
+/// The place of something that can be chosen: the offset of its statement in a file, named by its canonical path.
 struct EditPlace {
   std::string file;
   std::size_t begin = 0;
@@ -47,7 +47,7 @@ struct Change {
   std::optional<EditPlace> chosen_before{}, chosen_after{};
 };
 
-/// What was done, and can be undone and redone.
+/// The changes that can be undone and redone.
 class EditHistory {
  public:
   /// Changes that were undone are forgotten. One that continues the last one becomes a part of it.
@@ -59,7 +59,7 @@ class EditHistory {
   void Undo();
   void Redo();
   void Forget();
-  /// Whether the next change could become a part of the last one.
+  /// True if the next change can become a part of the last one.
   bool Continues(const std::string& key) const { return can_continue_ && done_ > 0 && changes_[done_ - 1].key == key; }
   std::size_t Done() const { return done_; }
   std::size_t Undone() const { return changes_.size() - done_; }

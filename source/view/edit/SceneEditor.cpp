@@ -58,7 +58,7 @@ R3::Vector Snapped(const R3::Vector& way, double step) {
   return {snap(way.x), snap(way.y), snap(way.z)};
 }
 
-/// Where on the line through `from` along `axis` a ray comes nearest, in lengths of `axis`; nothing where it runs along
+/// Returns the point on the line through `from` along `axis` that is nearest to a ray, in lengths of `axis`; none along
 /// the line.
 ///   source   Schneider, Eberly, Geometric Tools for Computer Graphics (2003), 10.8
 std::optional<double> NearestOnLine(const R3::Point& from, const R3::Vector& axis, const R3::Ray& ray) {
@@ -70,7 +70,7 @@ std::optional<double> NearestOnLine(const R3::Point& from, const R3::Vector& axi
   return (ad * Dot(ray.direction, between) - dd * Dot(axis, between)) / determinant;
 }
 
-/// Where a ray crosses the plane through `from`; nothing where it does not.
+/// Returns the point in which a ray crosses the plane through `from`, if it does.
 std::optional<R3::Point> OnPlane(const R3::Point& from, const R3::Vector& normal, const R3::Ray& ray) {
   const double t = Dot(from - ray.origin, normal) / Dot(ray.direction, normal);
   if (!(t > 0) || !std::isfinite(t)) return {};
@@ -85,7 +85,7 @@ std::string FocusText(const Camera& camera, const R3::Point& point) {
   return Rounded(Dot(point - camera.eye, camera.towards), digits);
 }
 
-std::string InWords(const std::vector<double>& values) {
+std::string TextOf(const std::vector<double>& values) {
   std::string words;
   for (const double value : values) words += " " + ToText(value);
   return words;
@@ -193,14 +193,14 @@ void SceneEditor::RefuseReadOnly(const TextEdits& edits) const {
 
 void SceneEditor::Do(const std::string& what, const std::string& key, bool continues,
                      const std::function<TextEdits()>& make, const std::optional<EditPlace>& chosen_after) {
-  if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Tell(why);
+  if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Show(why);
   if (MustWait()) return;
   TextEdits edits;
   try {
     edits = make();
     RefuseReadOnly(edits);
   } catch (const EditRefusal& refusal) {
-    return viewer_.notices.Tell("cannot " + what + ": " + refusal.what());
+    return viewer_.notices.Show("cannot " + what + ": " + refusal.what());
   }
   if (edits.empty()) return;  // it is so already
   const auto before = PlaceOf(ChosenStatement());
@@ -214,7 +214,7 @@ void SceneEditor::Do(const std::string& what, const std::string& key, bool conti
 
 bool SceneEditor::MustWait() {
   if (!viewer_.reader.IsBusy()) return false;
-  viewer_.notices.Tell("wait: " + viewer_.reader.Describe());
+  viewer_.notices.Show("wait: " + viewer_.reader.Describe());
   return true;
 }
 
@@ -228,14 +228,14 @@ void SceneEditor::Apply(const TextEdits& edits, const std::optional<EditPlace>& 
   const bool had_material = material_ && node_of_material_ == viewer_.selection.node;
   held_ = nullptr;  // it was of the text before
   ShowEdits(viewer_, next, [=, this](const std::string& problem) {
-    if (!problem.empty()) return viewer_.notices.Tell("refused: " + problem);
+    if (!problem.empty()) return viewer_.notices.Show("refused: " + problem);
     texts_ = next;
     light_.reset();
     if (chosen) Choose(*chosen);
     if (had_material) node_of_material_ = viewer_.selection.node;
     const std::string done = then();
     CheckUnsaved();
-    viewer_.notices.Tell(done);
+    viewer_.notices.Show(done);
   });
 }
 
@@ -245,7 +245,7 @@ void SceneEditor::SetField(std::uint32_t statement, const ScnField& field, const
                            bool continues) {
   const auto place = PlaceOf(statement);
   const std::string key = place ? field.name + "@" + std::to_string(place->begin) + place->file : "";
-  const std::string what = "set " + field.name + " of " + Name(statement) + " to" + InWords(values);
+  const std::string what = "set " + field.name + " of " + Name(statement) + " to" + TextOf(values);
   DoOrHold(what, key, continues, [=, this] {
     if (PlaceOf(statement) != place) throw EditRefusal("the scene has changed meanwhile");
     return WithValues(Places(), statement, field, values);
@@ -257,7 +257,7 @@ void SceneEditor::DoOrHold(const std::string& what, const std::string& key, bool
   const auto change = [=, this] { Do(what, key, continues, make); };
   if (!continues || !IsSlow()) return change();
   held_ = change;
-  viewer_.notices.Tell(what + ", once the button is let go");
+  viewer_.notices.Show(what + ", once the button is let go");
 }
 
 void SceneEditor::DoHeld() {
@@ -293,7 +293,7 @@ void SceneEditor::SetTexture(std::size_t material, const std::string& name) {
 
 void SceneEditor::SetAxis(MoveAxis axis) {
   axis_ = axis;
-  viewer_.notices.Tell(std::string("= and - move along ") + axis_names[static_cast<std::size_t>(axis_)] + ", by " +
+  viewer_.notices.Show(std::string("= and - move along ") + axis_names[static_cast<std::size_t>(axis_)] + ", by " +
                        ToText(Step()) + "; so does a drag with Control and Shift");
 }
 
@@ -339,13 +339,13 @@ std::optional<SceneEditor::Target> SceneEditor::TargetOf() const {
 
 std::optional<SceneEditor::Target> SceneEditor::ChosenTarget() const {
   if (const std::string why = WhyNot(); !why.empty())
-    viewer_.notices.Tell(why);
+    viewer_.notices.Show(why);
   else if (!viewer_.selection.node && !ChosenLight())
-    viewer_.notices.Tell("nothing is chosen; click an object first");
+    viewer_.notices.Show("nothing is chosen; click an object first");
   else if (const auto target = TargetOf())
     return target;
   else
-    viewer_.notices.Tell("what is chosen stands in no scene file");
+    viewer_.notices.Show("what is chosen stands in no scene file");
   return {};
 }
 
@@ -378,7 +378,7 @@ void SceneEditor::Duplicate() {
   try {
     copied = Duplicated(Places(), target->statement, local);
   } catch (const EditRefusal& refusal) {
-    return viewer_.notices.Tell(std::string("cannot duplicate it: ") + refusal.what());
+    return viewer_.notices.Show(std::string("cannot duplicate it: ") + refusal.what());
   }
   const auto place = PlaceOf(target->statement);
   Do(
@@ -388,13 +388,13 @@ void SceneEditor::Duplicate() {
 
 void SceneEditor::KeepCamera() {
   if (!viewer_.HasMovedCamera() && LastOf(Places(), "camera"))
-    return viewer_.notices.Tell("the view is the scene's camera already");
+    return viewer_.notices.Show("the view is the scene's camera already");
   Do("the view becomes the scene's camera", "", false,
      [&] { return WithCamera(Places(), viewer_.navigator.camera()); });
 }
 
 void SceneEditor::FocusOn(const std::optional<R3::Point>& point) {
-  if (!point) return viewer_.notices.Tell("nothing is under the pointer to focus on");
+  if (!point) return viewer_.notices.Show("nothing is under the pointer to focus on");
   const std::string focus = FocusText(viewer_.navigator.camera(), *point);
   const bool has_lens = viewer_.SettingsOfView().camera.HasLens();
   constexpr double opening = 0.01;  // of the distance, where no lens was open
@@ -409,7 +409,7 @@ bool SceneEditor::BeginDrag(const R3::Ray& ray) {
   const auto target = ChosenTarget();
   if (!target) return false;
   if (target->box.IsEmpty()) {
-    viewer_.notices.Tell("it is infinite, empty or far away; = and - move it along the axis");
+    viewer_.notices.Show("it is infinite, empty or far away; = and - move it along the axis");
     return false;
   }
   drag_ = Drag{target->box.Center(), ray, {}, {}};
@@ -449,7 +449,7 @@ void SceneEditor::EndDrag() {
 
 void SceneEditor::Undo() {
   const Change* change = history_.ToUndo();
-  if (!change) return viewer_.notices.Tell("nothing to undo");
+  if (!change) return viewer_.notices.Show("nothing to undo");
   if (MustWait()) return;
   const auto now = PlaceOf(ChosenStatement());
   const TextEdits edits = Reversed(change->edits);
@@ -464,7 +464,7 @@ void SceneEditor::Undo() {
 
 void SceneEditor::Redo() {
   const Change* change = history_.ToRedo();
-  if (!change) return viewer_.notices.Tell("nothing to redo");
+  if (!change) return viewer_.notices.Show("nothing to redo");
   if (MustWait()) return;
   const std::string what = change->what;
   Apply(change->edits, change->chosen_after, [=, this] {
@@ -474,8 +474,8 @@ void SceneEditor::Redo() {
 }
 
 void SceneEditor::Save() {
-  if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Tell(why);
-  if (!is_unsaved_) return viewer_.notices.Tell("there is nothing to save");
+  if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Show(why);
+  if (!is_unsaved_) return viewer_.notices.Show("there is nothing to save");
   std::string saved, replaced;
   std::vector<const ScnPlaces::File*> changed;
   for (const ScnPlaces::File& file : Places().files) {
@@ -483,7 +483,7 @@ void SceneEditor::Save() {
     changed.push_back(&file);
     const std::string& name = file.text->name;
     if (file.canonical == standard_input_name)
-      return viewer_.notices.Tell("the scene came from standard input; Control+Shift+S saves a copy");
+      return viewer_.notices.Show("the scene came from standard input; Control+Shift+S saves a copy");
     if (ReadSceneFile(name) != saved_[file.canonical]) replaced += (replaced.empty() ? "" : ", ") + name;
   }
   if (!replaced.empty() &&
@@ -494,28 +494,28 @@ void SceneEditor::Save() {
     const std::string& text = texts_->at(file.canonical);
     const std::string& name = file.text->name;
     if (const std::string problem = SaveScene(viewer_, name, text); !problem.empty())
-      return viewer_.notices.Tell(problem);
+      return viewer_.notices.Show(problem);
     saved_[file.canonical] = text;
     saved += (saved.empty() ? "" : ", ") + name;
   }
   CheckUnsaved();
-  viewer_.notices.Tell("saved " + saved);
+  viewer_.notices.Show("saved " + saved);
 }
 
 void SceneEditor::SaveCopy() {
-  if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Tell(why);
+  if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Show(why);
   const auto& files = Places().files;
   const ScnPlaces::File& top = files.front();
   for (const ScnPlaces::File& file : files)
     if (texts_ && &file != &top && texts_->at(file.canonical) != saved_[file.canonical])
-      return viewer_.notices.Tell("a copy has no room for the changes of the included " + file.text->name +
+      return viewer_.notices.Show("a copy has no room for the changes of the included " + file.text->name +
                                   "; Control+S saves all");
   const std::string name = FreeCopyName(top.canonical == standard_input_name ? "scene.scn" : top.text->name);
   const std::string& text = texts_ ? texts_->at(top.canonical) : top.text->bytes;
   if (const std::string problem = SaveScene(viewer_, name, text); !problem.empty())
-    return viewer_.notices.Tell(problem);
+    return viewer_.notices.Show(problem);
   copied_ = texts_;
-  viewer_.notices.Tell("a copy is saved as " + name);
+  viewer_.notices.Show("a copy is saved as " + name);
 }
 
 Lines SceneEditor::Marks(const DrawingSpace& space, const std::function<double(const R3::Point&)>& size_at) const {

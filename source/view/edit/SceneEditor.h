@@ -22,19 +22,19 @@ enum class MoveAxis { x, y, z, view };
 /// very lines of its files. What cannot be done is a message of the viewer, and changes nothing.
 class SceneEditor {
  public:
-  /// Of the viewer that it is a part of.
+  /// Makes the editor of the viewer that it is a part of.
   explicit SceneEditor(ViewerState& viewer) : viewer_(viewer) {}
 
-  /// Whether something was changed that no file has.
+  /// Returns true if a change is in no file.
   bool HasUnsaved() const { return is_unsaved_; }
   /// "2 changes, 1 undone, not saved"; "none" before the first.
   std::string Describe() const;
   const EditHistory& History() const { return history_; }
-  /// Why the viewer's scene cannot be edited; empty where it can.
+  /// Returns the reason why the scene cannot be edited; empty if it can.
   std::string WhyNot() const;
   /// The scene was read from the disk: there is nothing to undo any more.
   void Forget();
-  /// Whether the viewer may go on to lose the edits: where there are any that are not saved, it says so at first, and
+  /// Returns true if the edits may be lost. If some are not saved, a question is shown first, and the same request
   /// may when it asks the same again at once. `next` is what it would do: "quit".
   bool MayLose(const std::string& next);
 
@@ -61,7 +61,7 @@ class SceneEditor {
   void NextAxis();
   /// Moves what is chosen by so many steps along the axis; facing the camera, to the right.
   void MoveBySteps(double steps);
-  /// In the scene's unit of length: a round number, about 1/20 of the scene's radius.
+  /// Returns a round number, about 1/20 of the scene's radius, in the scene's unit of length.
   double Step() const;
   void Delete();
   void Duplicate();
@@ -77,7 +77,7 @@ class SceneEditor {
   void DoDue();
 
   // A drag of what is chosen. Rays are through the pointer.
-  /// Whether there is something to drag.
+  /// Returns true if there is something to drag.
   bool BeginDrag(const R3::Ray& ray);
   void DragTo(const R3::Ray& ray);
   void EndDrag();
@@ -99,7 +99,7 @@ class SceneEditor {
     R3::Vector done, left;  // how far it has gone, and is still to go
   };
 
-  /// What to move, and from which coordinates its own are made.
+  /// The thing to be moved, and the coordinates that its own are relative to.
   struct Target {
     std::uint32_t statement = 0;
     std::uint32_t frame = 0;  // into World::Frames: the coordinates that the statement is in

@@ -56,7 +56,7 @@ std::size_t StartOfLineBefore(std::string_view text, std::size_t at) {
   return start == 0 || EndsLine(text[start - 1]) ? start : at;
 }
 
-/// Whether nothing but a comment follows on the line.
+/// Returns true if only a comment follows on the line.
 bool EndsItsLine(std::string_view text, std::size_t at) {
   at = SkipBlanks(text, at);
   return at == text.size() || EndsLine(text[at]) || text[at] == '#';
@@ -64,7 +64,7 @@ bool EndsItsLine(std::string_view text, std::size_t at) {
 
 bool OpensGroup(const std::string& command) { return command == "begin" || command == "csg"; }
 
-/// From the command to its last word; of a group, to that of its end.
+/// Returns the range from the command to its last word; for a group, to that of its end.
 Range RangeOf(const ScnPlaces& places, std::uint32_t statement) {
   const ScnPlaces::Statement& own = places.statements[statement];
   int open = 0;
@@ -119,7 +119,7 @@ bool IsPlaced(const std::string& command) {
   return command == "line" || R3::FindShapeKind(command) || FindLightKind(command);
 }
 
-/// What can be moved, copied and taken out.
+/// The text that can be moved, copied and removed.
 bool IsThing(const std::string& command) {
   constexpr std::array others{"begin", "csg", "mesh", "quad", "polygon", "implicit"};
   return IsPlaced(command) || std::ranges::find(others, command) != others.end();

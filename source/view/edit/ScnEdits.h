@@ -16,7 +16,7 @@
 /// they are, to the byte. Numbers are written as short as they read back.
 namespace ray {
 
-/// Why something cannot be edited, for the user.
+/// The reason why something cannot be edited, for the user.
 struct EditRefusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -44,7 +44,7 @@ constexpr std::array gloss_fields{NamedField{"gloss exponent", Kind::number, 2},
 constexpr std::array color_fields{NamedField{"color", Kind::color, 1}};
 constexpr std::array line_fields{NamedField{"from", Kind::point, 2}, NamedField{"to", Kind::point, 5}};
 
-/// What single numbers, and the first of three, are called in scene files and in words.
+/// The names of single numbers, and of the first of three, in scene files and in panels.
 struct Wording {
   std::string_view argument;
   const char* words;
@@ -57,7 +57,7 @@ constexpr std::array wordings{
     Wording{"qa", "quadratic (qa)"}, Wording{"sc", "cutoff (sc)"},   Wording{"sd", "dropoff (sd)"},
 };
 
-std::string InWords(std::string_view argument) {
+std::string TextOf(std::string_view argument) {
   const auto found = std::ranges::find(wordings, argument, &Wording::argument);
   return found == wordings.end() ? std::string(argument) : found->words;
 }
@@ -68,7 +68,7 @@ std::string WithLetter(std::string name, char x, char letter) {
   return name;
 }
 
-/// Whether three arguments from `i` on are the coordinates of one thing.
+/// Returns true if three arguments from `i` on are the coordinates of one thing.
 bool IsTriple(std::span<const R3::Argument> arguments, std::size_t i) {
   if (i + 2 >= arguments.size()) return false;
   const std::string first = arguments[i].name;
@@ -88,7 +88,7 @@ Kind KindOfTriple(std::string_view first) {
 std::vector<ScnField> FieldsOfArguments(std::span<const R3::Argument> arguments, std::size_t first) {
   std::vector<ScnField> fields;
   for (std::size_t i = 0; i < arguments.size();) {
-    ScnField field{InWords(arguments[i].name), Kind::number, {first + i}, {}, {}};
+    ScnField field{TextOf(arguments[i].name), Kind::number, {first + i}, {}, {}};
     if (IsTriple(arguments, i)) {
       field.kind = KindOfTriple(arguments[i].name);
       field.words = {first + i, first + i + 1, first + i + 2};

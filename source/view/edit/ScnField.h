@@ -19,8 +19,9 @@ struct ScnField {
   std::string problem;             // why it cannot be edited; empty where it can
 };
 
-/// The fields of a material, its mirror and gloss, light, shape, line, group, camera, background or ambient light, in the order of the file;
-/// none of other statements. Those of a group are its position, where its matrix or a first translation says it.
+/// The fields of a material, its mirror and gloss, light, shape, line, group, camera, background or ambient light, in
+/// the order of the file; none of other statements. Those of a group are its position, where its matrix or a first
+/// translation says it.
 std::vector<ScnField> FieldsOf(const ScnPlaces& places, std::uint32_t statement);
 
 /// Returns why a word is not edited that stands for a value given elsewhere: "$t is a variable; ...". Empty for others.

@@ -13,7 +13,7 @@
 namespace ray {
 namespace {
 
-/// The settings of a small picture of the view, with its longer side as long as time allows.
+/// The settings of a small image of the view, with its longer side as long as time allows.
 RenderSettings Small(RenderSettings settings, const World& world) {
   constexpr double most_tests = 3e8;  // about a second of them on one core
   constexpr double longest = 96;      // pixels: enough rays for means of three digits

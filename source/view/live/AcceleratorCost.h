@@ -14,16 +14,16 @@
 
 namespace ray {
 
-/// What an accelerator costs to build, to keep, and per ray of a picture.
+/// The cost of an accelerator: to build, to keep, and per ray of an image.
 struct AcceleratorCost {
   std::string name;
-  double build_seconds = 0, render_seconds = 0;  // of a small picture, on one thread
+  double build_seconds = 0, render_seconds = 0;  // of a small image, on one thread
   std::size_t bytes = 0;                         // besides the world's own
   double boxes = 0, tests = 0;                   // per ray: boxes, nodes and cells; primitives
 };
 
 /// Builds every kind of accelerators.def but `auto`, one after another in the background, and renders with it the
-/// picture of the settings at one sample per pixel, made so small that trying every primitive for every ray takes
+/// image of the settings at one sample per pixel, made so small that trying every primitive for every ray takes
 /// seconds at most. Numbers per ray are the same every time, seconds are this machine's.
 class AcceleratorComparison {
  public:
@@ -78,7 +78,7 @@ class AcceleratorComparisons {
   /// Null before the first, and for another scene.
   const AcceleratorComparison* Current() const { return current_.get(); }
   bool IsBusy() const { return current_ && !current_->HasEnded(); }
-  /// Whether it has found more since the last call; to be called now and then.
+  /// Returns true if there are more results since the last call; to be called regularly.
   bool HasNews() {
     std::erase_if(ending_, [](const auto& comparison) { return comparison->HasEnded(); });
     const int seen = seen_;

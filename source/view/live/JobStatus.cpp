@@ -11,7 +11,7 @@ namespace {
 
 std::string Samples(int count) { return Counted(static_cast<std::uint64_t>(count), "sample"); }
 
-/// What the picture has, and where it goes on to.
+/// Returns the samples so far, and those planned.
 std::string Reach(const RenderJob& job) {
   if (job.order() == RenderJob::Order::rows && !job.HasEnded())
     return "row " + std::to_string(job.RowsDone()) + " of " + std::to_string(job.frame().Height());
@@ -57,10 +57,10 @@ constexpr double seconds_between_statuses = 0.25;  // slow enough for digits to 
 
 }  // namespace
 
-void RenderStatus::Update(const TracedPictures& pictures, double now) {
-  const RenderJob* job = pictures.Job();
+void RenderStatus::Update(const TracedImages& traced, double now) {
+  const RenderJob* job = traced.Job();
   if (!job) return text_.clear();
-  const auto look = [&] { return Seen{pictures.JobNumber(), job->Samples(), job->HasEnded()}; };
+  const auto look = [&] { return Seen{traced.JobNumber(), job->Samples(), job->HasEnded()}; };
   const bool is_recent = now - since_ < seconds_between_statuses;
   if (look() == seen_ && (seen_.has_ended || is_recent)) return;
   since_ = now;

@@ -3,26 +3,26 @@
 #include <string>
 
 #include "source/view/live/RenderJob.h"
-#include "source/view/live/TracedPictures.h"
+#include "source/view/live/TracedImages.h"
 
 namespace ray {
 
-/// How far a job has come, in a line: "4 of 16 samples 31 % 0.5 Mrays/s 12 s left", "8 samples until stopped 0.5
+/// Returns the progress of a job: "4 of 16 samples 31 % 0.5 Mrays/s 12 s left", "8 samples until stopped 0.5
 /// Mrays/s"; what a budget led to is told by ClaimOf.
 std::string StatusOf(const RenderJob& job);
 
-/// What is known of the picture of a job that is complete: "estimated error 1.8/255 (1.7 to 1.9), 64 samples".
+/// Returns the claim of a complete job: "estimated error 1.8/255 (1.7 to 1.9), 64 samples".
 std::string ClaimOf(const RenderResult& result);
 
-/// Returns "30% of the light ended at -max_depth 3, -min_luminance 0.01" for an image that is too dark by so much; empty
-/// for others.
+/// Returns "30% of the light ended at -max_depth 3, -min_luminance 0.01" for an image that is too dark by so much;
+/// empty for others.
 std::string MissingLightOf(const RenderJob& job);
 
-/// How far the image that is rendered has come, in words that change slowly enough to be read.
+/// The progress of the image, as text that changes slowly enough to be read.
 class RenderStatus {
  public:
   /// `now`: in seconds of ticks.
-  void Update(const TracedPictures& pictures, double now);
+  void Update(const TracedImages& traced, double now);
   /// "4 of 16 samples 31 % 0.5 Mrays/s 12 s left"; empty without any image.
   const std::string& Text() const { return text_; }
 

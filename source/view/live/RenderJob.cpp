@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::chrono::milliseconds time_between_images{250};  // of a first look that takes longer
 
-/// So that drawing need not wait for a processor where there are few: beside a thread that draws this one, and those it
+/// Leaves processors for drawing: besides a thread that draws this one, and those it
 /// starts, get a tenth of the time.
 void GiveWay() {
 #ifdef __linux__
@@ -37,8 +37,8 @@ RenderSettings ForJob(RenderSettings settings, RenderJob::Order order) {
   return settings;
 }
 
-/// Whether what blocks show is final once they have their samples: else neighboring pixels decide who gets some, those
-/// around fill pixels that are left out, or the whole image is filtered.
+/// Returns true if blocks are final once they have their samples; otherwise neighboring pixels decide who gets some,
+/// those around fill pixels that are left out, or the whole image is filtered.
 bool HasFinalBlocks(const RenderSettings& settings) {
   return !SamplesWhereNeighborsDiffer(settings) && !IsSubsampled(settings) && !settings.denoise;
 }
@@ -61,7 +61,8 @@ class FinishedRows {
     }
   }
 
-  /// These blocks have them now. Returns the rows that are final since then, of the film's region; empty for none.
+  /// Notes that these blocks have their samples. Returns the rows that are final since then, of the film's region;
+  /// empty for none.
   PixelRectangle Add(std::span<const int> blocks) {
     for (const int block : blocks) --missing_[static_cast<std::size_t>(block / columns_)];
     while (whole_ < missing_.size() && missing_[whole_] == 0) ++whole_;

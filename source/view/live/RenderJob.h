@@ -17,7 +17,7 @@ namespace ray {
 
 class FirstLook;
 
-/// A picture rendered in the background of the thread that shows it. Each job owns its frame, so that an abandoned job
+/// An image rendered in the background of the thread that shows it. Each job owns its frame, so that an abandoned job
 /// may end when it likes: nobody looks at what it still writes.
 class RenderJob {
  public:
@@ -27,7 +27,7 @@ class RenderJob {
   ///                neighboring pixels decide who gets samples, or what a pixel shows
   enum class Order { coarse_first, rows };
 
-  /// What a job had when it was canceled, for another to go on with.
+  /// The state of a canceled job, from which another can continue.
   struct Stopped {
     RenderState state;
     double seconds = 0;
@@ -37,7 +37,7 @@ class RenderJob {
   };
 
   /// Starts at once. `settings.view` is the camera if it is not the scene's. Without `settings.threads` one core is
-  /// left to whoever shows the picture, until each pixel has its first sample in order coarse_first. Time counts from
+  /// left to whoever shows the image, until each pixel has its first sample in order coarse_first. Time counts from
   /// the start of the job, and ends no earlier than with that sample. Limits of budgets are ignored in order rows, and
   /// replays. `first_places`: pixels of each block in the first look.
   /// `before`: continues a job of the same scene, settings and order; time counts on. The result is that of a job that
@@ -48,15 +48,15 @@ class RenderJob {
   ~RenderJob();
   RenderJob(const RenderJob&) = delete;
 
-  /// From now on no pixel is started. Returns at once.
+  /// Stops it: no further pixel is started. Returns at once.
   void Cancel() { stop_.store(true); }
-  /// Whether nothing will change any more: it is complete, canceled or failed.
+  /// Returns true if nothing will change any more: it is complete, canceled or failed.
   bool HasEnded() const { return has_ended_.load(std::memory_order_acquire); }
-  /// Whether HasEnded with every sample taken.
+  /// Returns true if HasEnded with every sample taken.
   bool IsComplete() const;
-  /// Why it failed; empty when it did not. Once it HasEnded.
+  /// Returns why it failed, once it HasEnded; empty if it did not.
   std::string Failure() const;
-  /// The finished picture, the same bit for bit as Render's; null unless IsComplete.
+  /// The finished image, the same bit for bit as Render's; null unless IsComplete.
   const RenderResult* Result() const;
 
   /// The image so far: of the crop, or of the whole.
@@ -71,13 +71,13 @@ class RenderJob {
   int Places() const { return places_.load(std::memory_order_acquire); }
   /// Samples per pixel that the frame shows, where it is whole; their mean once it is complete, the most before.
   int Samples() const { return samples_.load(std::memory_order_acquire); }
-  /// What it had when it was canceled; nothing where that was no sample of a pixel beyond the first look, or it did not
+  /// Returns its state when it was canceled; none if that was no sample of a pixel beyond the first look, or it did not
   /// end so.
   const std::optional<Stopped>& Canceled() const;
   std::uint64_t Rays() const { return rays_.load(std::memory_order_relaxed); }
   /// Since the start, until the end.
   double Seconds() const;
-  /// How much is done of all samples, or of the time, from 0 to 1; nothing where no end is known.
+  /// Returns the share of all samples, or of the time, that is done, from 0 to 1; std::nullopt if no end is known.
   std::optional<double> Share() const;
   /// Until the end, at the pace so far; nothing where that is not known.
   std::optional<double> SecondsLeft() const;

@@ -42,7 +42,7 @@ class Search {
   Search(const World& world, const Accelerator& accelerator, SceneCut& cut)
       : world_(world), accelerator_(accelerator), cut_(cut) {}
 
-  /// From `start` in `direction` as far as the slice reaches.
+  /// Returns the ray from `start` in `direction` to the end of the slice.
   void Along(const R2::Point& start, const R3::Vector& direction) {
     R3::Ray ray{cut_.slice.InWorld(start), direction, 0, 2 * cut_.slice.extent};
     std::optional<Found> last;
@@ -174,7 +174,7 @@ class Joining {
 
   void Add(std::uint32_t from, std::uint32_t to) { cut_.pieces.push_back({from, to, Corner(from, to)}); }
 
-  /// Where the tangents meet, if they do so at an angle and not far off: within a cell of both.
+  /// Returns the point in which the tangents meet, if they do so at an angle and within a cell of both.
   std::optional<R2::Point> Corner(std::uint32_t from, std::uint32_t to) const {
     const Crossing &p = cut_.crossings[from], &q = cut_.crossings[to];
     const double turn = Cross(p.normal, q.normal);

@@ -13,7 +13,7 @@
 /// The cross section of a scene, drawn in its plane.
 namespace ray {
 
-/// Which plane: two axes of the world, or all camera rays of one row of the picture.
+/// The plane of a cut: two axes of the world, or all camera rays of one row of the image.
 enum class SlicePlane { xz, yz, xy, camera_row };
 
 /// The part of a plane that is looked at: a square about `center` whose sides are along u and v.
@@ -32,12 +32,12 @@ struct Slice {
 /// right and its second upward, but for yz, where y runs upward. The square is around the middle of the scene and holds
 /// all of its cut.
 Slice AxisSlice(SlicePlane plane, const R3::Point& through, const R3::Box& scene);
-/// The plane through the eye, camera.right and the directions of view through row `y` of a picture (in pixels from its
+/// The plane through the eye, camera.right and the directions of view through row `y` of an image (in pixels from its
 /// lower edge; y + 0.5 is the middle of row y): it holds every ray through that row. The direction of view is up. The
 /// square holds all of the scene's cut; the eye may lie outside it.
 Slice CameraSlice(const Camera& camera, double y, int width, int height, const R3::Box& scene);
 
-/// Where the surface of an instance crosses a line of the grid that a slice is searched by.
+/// A crossing of an instance's surface with a line of the grid by which a slice is searched.
 struct Crossing {
   R2::Point on_slice;  // in its coordinates
   R3::Point position;  // in the world; within its Intersection's error of the surface
@@ -46,8 +46,8 @@ struct Crossing {
   bool enters = false;  // going along the grid line in the direction of u or v
 };
 
-/// What joins two crossings of an instance within one cell of the grid. Straight; or over a corner, where the tangents
-/// at both ends meet in the cell at an angle.
+/// The connection of two crossings of an instance within one cell of the grid. Straight; or over a corner, where the
+/// tangents at both ends meet in the cell at an angle.
 struct CutPiece {
   std::uint32_t from = 0, to = 0;  // indices of crossings
   std::optional<R2::Point> corner;

@@ -55,7 +55,7 @@ R3::Point EndOf(const RecordedRay& ray, double scene_radius) {
   return StartOf(ray) + ray_to_nowhere * scene_radius * Unit(ray.ray.direction);
 }
 
-/// For each ray whether it is the chosen one, or one of those that led to it.
+/// Returns for each ray if it is the chosen one, or one of those that led to it.
 std::vector<bool> OnTheWay(const PixelTrace& trace, std::optional<std::size_t> chosen) {
   std::vector<bool> is(trace.rays.size());
   if (!chosen || *chosen >= trace.rays.size()) return is;

@@ -24,7 +24,7 @@ struct RayLook {
   /// those that led to it.
   std::optional<std::size_t> chosen{};
 
-  /// For the rays of other pixels.
+  /// Draws the rays of other pixels.
   RayLook WithoutChoice() const {
     RayLook look = *this;
     look.chosen.reset();
@@ -32,13 +32,14 @@ struct RayLook {
   }
 };
 
-/// What RayLines draws them with; of shadow rays the latter is for what lies beyond what blocks them.
+/// Returns the colors in which RayLines draws them; the second one of shadow rays is for the part beyond what blocks
+/// them.
 std::vector<Rgba> ColorsOf(ShownRays kind);
 Rgba ColorOfNormals();
 
 inline constexpr int debug_ray_spacing = 25;  // pixels whose column and row are multiples of it
 
-/// How many of the renderer's rays are traced to be looked at.
+/// The numbers of rays that are traced for inspection.
 struct DebugRayCounts {
   int camera = 1;   // samples of a pixel, >= 1; at most those of the settings count
   int shadow = 1;   // rays to each light, >= 1; likewise
@@ -47,7 +48,7 @@ struct DebugRayCounts {
 
   /// The settings with so few shadow rays.
   RenderSettings Thinned(RenderSettings settings) const;
-  /// How many samples of a pixel are traced.
+  /// Returns the number of samples of a pixel that are traced.
   int SamplesOf(const RenderSettings& settings) const { return std::min(camera, settings.samples); }
 };
 

@@ -189,7 +189,7 @@ class Comparison {
       if (trace.rays[i].parent == static_cast<int>(parent)) children.push_back(i);
     return children;
   }
-  /// Whether it may change what is seen: shadow rays of lights behind the surface need not be traced.
+  /// Returns true if it may change the image: shadow rays of lights behind the surface need not be traced.
   static bool Matters(const RecordedRay& ray) { return !IsBlack(ray.throughput); }
 
   static std::string Named(const RecordedRay& ray) {
@@ -317,7 +317,7 @@ class Comparison {
             (theirs < length ? "; it hits something that is not there" : "; it misses what ours hits")};
   }
 
-  /// Why ours has no ray of that kind, if that is plain.
+  /// Returns the reason why ours has no ray of that kind, if it is known.
   std::string WhyNone(std::size_t parent, const RecordedRay& theirs) const {
     const RecordedRay& from = ours_.rays[parent];
     if (!from.hit) return ", since it hits nothing";

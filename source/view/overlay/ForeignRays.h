@@ -40,7 +40,7 @@ bool IsForeignRays(const Text& text);
 inline constexpr double foreign_degrees = 1;    // between directions; of camera rays as much as the pixel is wide
 inline constexpr double foreign_length = 5e-3;  // of places, in radii of the scene
 
-/// How another tracer's rays differ from ours.
+/// The difference of another tracer's rays from ours.
 struct RayDifference {
   std::size_t foreign = 0;          // the ray that differs; or at whose end one is missing
   std::optional<std::size_t> ours;  // the ray beside it
@@ -57,7 +57,7 @@ std::optional<RayDifference> FirstDifference(const PixelTrace& ours, const std::
 /// Nothing if that is not in the image.
 std::optional<ForeignPixel> PixelOf(const ForeignRays& foreign, const Camera& camera, const RenderSettings& settings);
 
-/// The same rays in the form of ours, each with the ray whose end it starts from, to be drawn like them.
+/// Returns the same rays in the form of ours, each with the ray whose end it starts from, to be drawn like them.
 PixelTrace AsTrace(const std::vector<ForeignRay>& foreign, double scene_radius);
 
 }  // namespace ray

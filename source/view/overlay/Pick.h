@@ -8,7 +8,7 @@
 
 namespace ray {
 
-/// What a pixel shows, as its first sample found it.
+/// The content of a pixel, as its first sample found it.
 struct Pick {
   PixelTrace trace;
   std::optional<R3::Point> point;  // nothing where the background is seen

@@ -14,18 +14,18 @@ namespace ray {
 /// camera moves on.
 class RayInspector {
  public:
-  /// The grid of a picture; its settings say from where.
+  /// The grid of an image; its settings say from where.
   void TraceGrid(const LoadedScene& scene, const RenderSettings& settings);
-  /// One pixel, inside of the picture.
+  /// One pixel, inside of the image.
   void TracePixel(const LoadedScene& scene, const RenderSettings& settings, int column, int row);
-  /// The pixel next to it, in the same picture; false at the border, or when there is none.
+  /// The pixel next to it, in the same image; false at the border, or when there is none.
   bool StepPixel(const LoadedScene& scene, int right, int up);
   /// Traces the pixel again, if there is one, with the counts as they are now.
   void TraceAgain(const LoadedScene& scene);
-  /// For what is traced from now on.
+  /// Sets the counts of what is traced from now on.
   void SetCounts(const DebugRayCounts& counts) { counts_ = counts; }
   const DebugRayCounts& Counts() const { return counts_; }
-  /// How many of the samples, and of the shadow rays to a light, the pixel's rays are, in words that follow others;
+  /// Returns the share of the samples, and of the shadow rays to a light, that are traced, as the end of a message;
   /// empty where they are all.
   std::string WhatIsLeftOut() const;
   /// Shows more or fewer bounces.
@@ -36,7 +36,7 @@ class RayInspector {
   void ForgetPixel() { pixel_.reset(), look_.chosen.reset(), difference_.reset(); }
   /// One of the pixel's rays, by its number; nothing for none.
   void Choose(std::optional<std::size_t> ray) { look_.chosen = ray; }
-  /// To be called for another scene.
+  /// Forgets all rays, for another scene.
   void ForgetAll();
 
   /// Rays of another tracer, to be seen beside ours from now on, and compared with those of each pixel that is traced.

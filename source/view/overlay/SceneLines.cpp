@@ -57,7 +57,7 @@ Rgba Bright(const R2::Color& color) {
   return most > 0 && std::isfinite(most) ? Shown(color / most) : Rgba{255, 255, 255, 255};
 }
 
-/// What a light sends out, seen from all around it.
+/// The light that a source emits in all directions.
 struct Glow {
   R2::Color color;     // the brightest that was met
   R3::Vector towards;  // where more of it goes than elsewhere; 0 when it goes everywhere alike, else at most 1 long
@@ -269,8 +269,8 @@ BoxLines LinesOfBoxes(const SpaceOverlays& overlays, const World& world, const A
   return {};
 }
 
-std::string BoxesInWords(const SpaceOverlays& overlays, const World& world, const Accelerator& accelerator,
-                         const DrawingSpace& space) {
+std::string DescribeBoxes(const SpaceOverlays& overlays, const World& world, const Accelerator& accelerator,
+                          const DrawingSpace& space) {
   if (overlays.boxes == SpaceOverlays::Boxes::none) return "no boxes";
   const std::string level =
       overlays.box_level == all_levels ? "of all levels" : "of level " + std::to_string(overlays.box_level);

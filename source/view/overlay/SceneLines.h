@@ -28,7 +28,7 @@ inline constexpr int all_levels = -1;
 /// tracer uses them, and where their parent is when the shutter opens.
 BoxLines NodeBoxLines(const World& world, const DrawingSpace& space, int level);
 
-/// For each node the one that it is in, as an index into World::Nodes; their number for the root.
+/// Returns the parent of each node, as an index into World::Nodes; their number for the root.
 std::vector<std::size_t> ParentsOf(const World& world);
 
 /// The frame that the bounds of a node are in: its parent's. `node`: an index into World::Nodes.
@@ -43,7 +43,7 @@ BoxLines AcceleratorBoxLines(const Accelerator& accelerator, const DrawingSpace&
 /// A hue for each level, far from those of the levels next to it.
 Rgba LevelColor(int level);
 
-/// The eye, its directions of view through the corners of a picture, and that picture `distance` away, its upper edge
+/// The eye, its directions of view through the corners of an image, and that image `distance` away, its upper edge
 /// marked.
 Lines CameraLines(const Camera& camera, int width, int height, double distance, const DrawingSpace& space,
                   const Rgba& color);
@@ -63,7 +63,7 @@ Lines CrossAt(const R3::Point& p, double size, const DrawingSpace& space, const 
 /// An arrow from `p` to `p` + `way`.
 Lines ArrowAt(const R3::Point& p, const R3::Vector& way, const DrawingSpace& space, const Rgba& color);
 
-/// What is drawn in space of the scene, and beside it.
+/// The overlays in the space of the scene.
 struct SpaceOverlays {
   enum class Boxes { none, nodes, accelerator };
 
@@ -77,7 +77,7 @@ struct SpaceOverlays {
 /// The boxes that are shown, as lines; none where none are.
 BoxLines LinesOfBoxes(const SpaceOverlays& overlays, const World& world, const Accelerator& accelerator,
                       const DrawingSpace& space);
-std::string BoxesInWords(const SpaceOverlays& overlays, const World& world, const Accelerator& accelerator,
-                         const DrawingSpace& space);
+std::string DescribeBoxes(const SpaceOverlays& overlays, const World& world, const Accelerator& accelerator,
+                          const DrawingSpace& space);
 
 }  // namespace ray

@@ -167,7 +167,7 @@ void SectionView::AddMark(Lines& lines, double radius) const {
   }
 }
 
-std::string SectionView::Tell(const R2::Point& pixel, const std::optional<R2::Point>& from) const {
+std::string SectionView::DescribePlace(const R2::Point& pixel, const std::optional<R2::Point>& from) const {
   const auto length = [](const R2::Vector& v) { return Plain(R1::Hypot(v.x, v.y), 4); };
   const R2::Point at = view_.InSlice(pixel);
   const R2::Vector way = at - coordinates_.origin;

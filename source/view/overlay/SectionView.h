@@ -16,9 +16,9 @@ class SectionView {
   void Toggle() { is_shown_ = !is_shown_; }
   /// The next of camera_row, xz, yz, xy.
   void NextPlane();
-  /// Shows that row of a picture, where camera_row is shown. Returns whether it is another.
+  /// Shows that row of an image, where camera_row is shown. Returns whether it is another.
   bool MoveTo(int row);
-  /// A row up or down of a picture so high, or a hundredth of the scene along the plane's normal.
+  /// A row up or down of an image so high, or a hundredth of the scene along the plane's normal.
   void Move(int by, int height);
   /// Cuts the scene again, for a drawing of that size; for camera_row as seen by `settings`, for others through
   /// `center` of the scene. Rays are those of the row, or of the middle row (of the middle column for yz).
@@ -26,7 +26,7 @@ class SectionView {
            const DebugRayCounts& counts = {});
 
   SlicePlane Plane() const { return plane_; }
-  /// The row of the picture that camera_row is, from the bottom.
+  /// The row of the image that camera_row is, from the bottom.
   int Row(int height) const { return row_ < 0 ? height / 2 : std::min(row_, height - 1); }
   /// Once it was cut.
   const std::optional<SceneCut>& cut() const { return cut_; }
@@ -35,18 +35,18 @@ class SectionView {
   /// All of it, in the square from -1 to 1, and labels in pixels from its lower left corner. Once it was cut.
   ///   line_width   pixels, that lines will be drawn in
   SliceAxes Drawing(const LoadedScene& scene, const RayLook& look, const LetterSize& letters, int line_width = 1) const;
-  /// Where a pixel of the drawing is, how far from the eye (camera_row) or the origin of the plane's axes, and how far
-  /// from another pixel. Once it was cut.
-  std::string Tell(const R2::Point& pixel, const std::optional<R2::Point>& from) const;
+  /// Describes the place of a pixel of the drawing, its distance from the eye (camera_row) or the origin of the plane's
+  /// axes, and how far from another pixel. Once it was cut.
+  std::string DescribePlace(const R2::Point& pixel, const std::optional<R2::Point>& from) const;
   std::string Describe(int height) const;
 
  private:
-  /// The camera as the slice shows it, in its coordinates: the eye, and the ends of a row or column in a picture
+  /// The camera as the slice shows it, in its coordinates: the eye, and the ends of a row or column in an image
   /// before it.
   struct CameraMark {
     R2::Point eye, left, right;
   };
-  /// A row or a column of a picture.
+  /// A row or a column of an image.
   struct PixelLine {
     bool is_column = false;
     int at = 0;

@@ -23,7 +23,7 @@ struct Ticks {
   std::vector<double> at;
   int power = 0;  // numbers are shown in units of 10 to it, which the name of the axis says
 
-  /// With digits enough to tell each from the next.
+  /// Returns the number with enough digits to distinguish each from the next.
   std::string Text(double value) const {
     constexpr double most_decimals = 15;  // of a double near 1
     const double unit = R1::Pow(10, power), decimals = -std::floor(R1::Log10(step / unit) + rounding);
@@ -150,7 +150,7 @@ Rgba ColorOfCut(const World& world, std::uint32_t instance) {
                                          : Rgba{128, 128, 128, 255};
 }
 
-/// Where the outline of one instance meets the middle of a row of pixels.
+/// A crossing of an instance's outline with the middle of a row of pixels.
 struct RowCrossing {
   int row;
   double x;  // in the slice's coordinates
@@ -188,7 +188,7 @@ void AddRows(Outline& outline, const SliceView& view, const R2::Point& a, const 
   }
 }
 
-/// What so many layers have each that have the alpha of the filling together.
+/// Returns the alpha of each of so many layers that together have the alpha of the filling.
 std::uint8_t AlphaOfLayer(int layers) {
   return static_cast<std::uint8_t>(std::lround(255 * (1 - R1::Pow(1 - alpha_of_filling, 1.0 / layers))));
 }

@@ -17,21 +17,21 @@ struct SliceView {
 
   static SliceView Of(const Slice& slice, const R3::Box& scene, const DrawingSize& size);
 
-  /// From a point of the slice to pixels, from the lower left corner of the drawing, and back.
+  /// Converts a point of the slice to pixels, from the lower left corner of the drawing, and back.
   R2::Point Pixel(const R2::Point& p) const {
     return {(p.x - middle.x) / pixel + size.width / 2.0, (p.y - middle.y) / pixel + size.height / 2.0};
   }
   R2::Point InSlice(const R2::Point& at) const {
     return {middle.x + (at.x - size.width / 2.0) * pixel, middle.y + (at.y - size.height / 2.0) * pixel};
   }
-  /// In the square from -1 to 1 that is the drawing, z = 0.
+  /// Returns the point in the square from -1 to 1 that is the drawing, z = 0.
   std::array<float, 3> At(const R2::Point& p) const {
     return {static_cast<float>((p.x - middle.x) / (pixel * size.width / 2)),
             static_cast<float>((p.y - middle.y) / (pixel * size.height / 2)), 0};
   }
 };
 
-/// What the numbers beside a slice count.
+/// The unit of the numbers at a slice.
 struct SliceCoordinates {
   std::array<std::string, 2> names;  // of the axes to the right and upward
   R2::Point origin;                  // where both are 0, in the slice's coordinates

@@ -19,11 +19,11 @@ class TracedQuad {
 
   const Camera& camera() const { return camera_; }
   const std::array<R3::Point, 4>& Corners() const { return corners_; }
-  /// How far before the camera it is.
+  /// Returns its distance from the camera.
   double Distance() const;
-  /// Whether a view of that size sees just it, whose frame would then be lines along the edges of the view.
+  /// Returns true if it fills a view of that size exactly, so that its frame would run along the edges of the view.
   bool FillsView(const Camera& camera, const DrawingSize& view) const;
-  /// Where a ray meets it: the parameter of the ray, and the pixel. Nothing where it misses.
+  /// Returns the intersection with a ray: the parameter of the ray, and the pixel; std::nullopt if it misses.
   struct Meeting {
     double t;
     int column, row;

@@ -54,12 +54,12 @@ std::optional<std::vector<double>> DrawText(PanelFrame& frame, const std::string
   auto numbers = NumbersIn(text.data(), values.size());
   if (!numbers) {
     const std::string rule = values.size() == 1 ? " must be a number" : " must be three numbers with blanks between";
-    frame.Ask([message = name + rule](ViewerState& v) { v.notices.Tell(message); });
+    frame.Ask([message = name + rule](ViewerState& v) { v.notices.Show(message); });
   }
   return numbers;
 }
 
-/// What the slider says when it is moved.
+/// Returns the text of the slider while it is moved.
 std::optional<double> DrawSlider(PanelFrame& frame, const std::string& name, double value,
                                  const FieldWidgets::Range& range) {
   auto single = static_cast<float>(value);
@@ -74,7 +74,7 @@ std::optional<double> DrawSlider(PanelFrame& frame, const std::string& name, dou
   return ParseNumber(Rounded(FromSingle(single), digits)).value;
 }
 
-/// Where a slider is of use: by the names of FieldsOf.
+/// The ranges of sliders, by the names of FieldsOf.
 std::optional<FieldWidgets::Range> RangeOf(const ScnField& field) {
   struct Known {
     const char* name;

@@ -9,12 +9,12 @@
 
 namespace ray {
 
-/// What mouse and keys do, to be searched: a sheet in the middle of the view.
+/// The actions of mouse and keys, which can be searched: a sheet in the middle of the view.
 class HelpSheet {
  public:
-  /// From now on what is typed is searched for, and nothing is yet.
+  /// Begins a new search: from now on what is typed is searched for.
   void Open() { search_ = {}, takes_focus_ = true; }
-  /// In the window of Dear ImGui that is being made.
+  /// Draws it in the current window of Dear ImGui.
   void Draw(PanelFrame& frame);
 
  private:

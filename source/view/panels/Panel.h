@@ -12,7 +12,7 @@
 
 namespace ray {
 
-/// What a panel is drawn with: what it sees, and what it asks for. The widgets below are those of Dear ImGui, told to
+/// The context in which a panel is drawn: its data and its actions. The widgets below are those of Dear ImGui, known to
 /// scripts besides.
 class PanelFrame {
  public:
@@ -23,11 +23,11 @@ class PanelFrame {
   const ViewerState& viewer;
   const double scale;
 
-  /// To be done once the frame is complete: panels never change what they are drawing.
+  /// Adds an action for when the frame is complete: panels never change what they are drawing.
   void Ask(std::function<void(ViewerState&)> action) { actions_.push_back(std::move(action)); }
   const std::vector<std::function<void(ViewerState&)>>& Asked() const { return actions_; }
 
-  /// Whether it was clicked.
+  /// Returns true if it was clicked.
   bool Button(const std::string& name);
   /// A line that can be chosen, cut short where it has no room; whether it was clicked.
   bool Choice(const std::string& name, bool is_chosen);
@@ -58,7 +58,7 @@ class Panel {
  public:
   virtual ~Panel() = default;
   virtual void Draw(PanelFrame& frame) = 0;
-  /// Whether it has anything to show by now.
+  /// Returns true if it has anything to show.
   virtual bool IsOfUse(const ViewerState&) const { return true; }
 };
 

@@ -11,7 +11,7 @@
 namespace ray {
 namespace {
 
-/// Where Debian, Fedora and Arch keep it.
+/// The paths in Debian, Fedora and Arch.
 constexpr std::array letter_files{"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
                                   "/usr/share/fonts/dejavu-sans-mono-fonts/DejaVuSansMono.ttf",
                                   "/usr/share/fonts/TTF/DejaVuSansMono.ttf"};

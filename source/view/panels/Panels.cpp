@@ -49,7 +49,7 @@ constexpr float shortest_time = 1e-3F;                 // seconds; Dear ImGui wa
 constexpr auto fixed_window =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
 
-/// Where it was asked for a position and no pointer is.
+/// The position of the pointer if there is none.
 constexpr float nowhere = -std::numeric_limits<float>::max();
 
 Rgba ColorOf(ImU32 color) {
@@ -83,7 +83,7 @@ std::shared_ptr<const PanelDrawing> AsDrawing(const ImDrawData& data, std::share
   return drawing;
 }
 
-/// What keys of ours that panels understand are to Dear ImGui.
+/// The keys that panels understand, and their codes in Dear ImGui.
 constexpr std::pair<ImGuiKey, Key> key_names[] = {
     {ImGuiKey_LeftArrow, Key::left},
     {ImGuiKey_RightArrow, Key::right},
@@ -263,7 +263,7 @@ class ImGuiPanels : public Panels {
   }
 #endif
 
-  /// Whether text is being entered. Dear ImGui tells of the end of that a frame late.
+  /// Returns true if text is being entered. Dear ImGui reports its end one frame late.
   bool TakesText(ViewerState& viewer) {
     if (ImGui::GetIO().WantTextInput) MakeFrame(viewer);
     return ImGui::GetIO().WantTextInput;
@@ -310,7 +310,7 @@ class ImGuiPanels : public Panels {
       if (holder_ == Holder::nobody) holder_ = io.WantCaptureMouse ? Holder::panels : Holder::viewer;
     }
     if (holder_ == Holder::viewer) {
-      // A click into the picture ends what is being entered, and leaves nothing below the pointer.
+      // A click into the image ends what is being entered, and leaves nothing below the pointer.
       if (event.is_pressed) ImGui::ClearActiveID();
       if (!event.is_pressed) holder_ = Holder::nobody;
       io.MousePos = {nowhere, nowhere};
@@ -372,7 +372,7 @@ class ImGuiPanels : public Panels {
     for (const auto& action : frame.Asked()) action(viewer);
   }
 
-  /// At the right, as high as the drawing.
+  /// Draws it at the right, as high as the drawing.
   void DrawColumn(PanelFrame& frame) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const auto widest = static_cast<float>(std::floor(widest_share * static_cast<double>(all.x)));
@@ -403,7 +403,7 @@ class ImGuiPanels : public Panels {
     ImGui::End();
   }
 
-  /// At the bottom, as wide as the view. Over the view it lets the image and clicks through.
+  /// Draws it at the bottom, as wide as the view. Over the view it lets the image and clicks through.
   void DrawBar(PanelFrame& frame) {
     constexpr float opacity_over_view = 0.6F;
     const double column = parts_.column ? Width(frame.viewer.screen.size.width) : 0;
@@ -425,7 +425,7 @@ class ImGuiPanels : public Panels {
     ImGui::PopStyleVar(2);
   }
 
-  /// In the middle of the view.
+  /// Draws it in the middle of the view.
   void DrawHelp(PanelFrame& frame) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float left = parts_.column ? all.x - static_cast<float>(Width(frame.viewer.screen.size.width)) : all.x;
@@ -443,7 +443,7 @@ class ImGuiPanels : public Panels {
     ImGui::End();
   }
 
-  /// What is drawn from here to EndText belongs to text_, where that is wanted.
+  /// Adds what is drawn until EndText to text_, if it is wanted.
   void BeginText() const {
     if (wants_text_) ImGui::LogToBuffer(0);
   }

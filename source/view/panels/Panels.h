@@ -17,7 +17,7 @@ struct PanelItem {
   double x = 0, y = 0;  // its middle, in pixels from the lower left corner of the drawing
 };
 
-/// Which parts of the panels are shown.
+/// The parts of the panels that are shown.
 struct PanelParts {
   bool column = false;
   bool help = false;
@@ -27,7 +27,7 @@ struct PanelParts {
 enum class PanelTheme { dark, light };
 inline constexpr double smallest_letters = 0.75, largest_letters = 3;  // times the usual: still read, and still useful
 
-/// What a user likes better.
+/// The preferences of a user.
 struct PanelSettings {
   PanelTheme theme = PanelTheme::dark;
   double letters = 1;  // their size, in the range above
@@ -35,16 +35,16 @@ struct PanelSettings {
   friend bool operator==(const PanelSettings&, const PanelSettings&) = default;
 };
 
-/// All that is written: labels; where they are shown, a column beside the picture with facts about the scene and its
+/// All that is written: labels; where they are shown, a column beside the image with facts about the scene and its
 /// rays, and what can be chosen, and a status bar above it; and the help. What they show depends on the events and on
 /// the viewer alone, never on how often they are drawn.
 class Panels {
  public:
   virtual ~Panels() = default;
-  /// Whether they keep the event from the viewer: of the pointer, where it is over them; of keys, where text is being
-  /// entered. What is asked of the viewer is done before this returns.
+  /// Returns true if they keep the event from the viewer: of the pointer if it is over them; of keys while text is
+  /// being entered. What is asked of the viewer is done before this returns.
   virtual bool Take(const Event& event, ViewerState& viewer) = 0;
-  /// What is shown from now on. Where that is less, keys and buttons are let go, and text is not entered any more.
+  /// Sets the parts that are shown. If there are fewer, keys and buttons are released, and text entry ends.
   virtual void SetParts(const PanelParts& parts) = 0;
   /// The width of the column, in pixels, when it is next drawn in a drawing of width `all`.
   virtual double Width(double all) const = 0;
@@ -54,11 +54,11 @@ class Panels {
   virtual LetterSize Letters() = 0;
   /// Draws the panels as they are now, with these labels below them.
   virtual std::shared_ptr<const PanelDrawing> Draw(ViewerState& viewer, const std::vector<Label>& labels) = 0;
-  /// What they say, in lines, hidden by scrolling or not; for scripts.
+  /// Returns their text, in lines, even if scrolled out of sight; for scripts.
   virtual std::string Text(ViewerState& viewer) = 0;
   /// Scrolls what has a name that begins so into view. Returns whether there is any.
   virtual bool Reveal(ViewerState& viewer, const std::string& name) = 0;
-  /// What takes clicks, as last drawn.
+  /// Returns the items that take clicks, as last drawn.
   virtual const std::vector<PanelItem>& Items() const = 0;
   virtual void SetLook(const PanelSettings& look) = 0;
   virtual const PanelSettings& Look() const = 0;

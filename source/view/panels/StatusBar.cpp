@@ -38,7 +38,7 @@ std::string NameAndSize(const ViewerState& viewer) {
 
 /// "120 45  0.31 0.2 0.9": of the image that is rendered; empty where the pointer is not on it.
 std::string PixelUnderPointer(const ViewerState& viewer, const RenderJob& job) {
-  const R2::Point& pointer = viewer.PictureUnderPointer();
+  const R2::Point& pointer = viewer.PointerInShownImage();
   const auto x = static_cast<int>(std::floor(pointer.x)), y = static_cast<int>(std::floor(pointer.y));
   const PixelRectangle region = RegionOf(job.Settings());
   if (!region.Contains(x, y)) return {};
@@ -60,7 +60,7 @@ void DrawStatusBar(PanelFrame& frame) {
     ImGui::SameLine(from);
   }
   ImGui::TextUnformatted(NameAndSize(viewer).c_str());
-  const RenderJob* job = viewer.pictures.Job();
+  const RenderJob* job = viewer.traced.Job();
   if (!job) return;
   ImGui::SameLine();
   if (const auto share = job->HasEnded() ? std::nullopt : job->Share()) {

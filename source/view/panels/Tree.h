@@ -21,10 +21,10 @@ class Tree {
     std::function<Rgba(std::size_t)> color_of{};  // of the swatch before the text; empty for none
   };
 
-  /// Whether the node's children are listed.
+  /// Returns true if the node's children are listed.
   bool IsOpen(std::size_t node) const { return open_.contains(node); }
   void SetOpen(std::size_t node, bool is_open);
-  /// For another tree: everything closed.
+  /// Closes everything, for another tree.
   void Forget();
   /// The list, with `chosen` marked; where that is another than the last time, it is scrolled to.
   ///   most_lines   of its height

@@ -14,7 +14,7 @@ namespace {
 
 std::string Digits(double number) { return Plain(number, 3); }
 
-/// To the microsecond, below which clocks tell little.
+/// Rounds to microseconds, below which clocks are unreliable.
 std::string Milliseconds(double seconds) {
   constexpr double micro = 1e6, in_milli = 1e3;
   return Digits(std::round(seconds * micro) / in_milli);
@@ -57,7 +57,7 @@ class AcceleratorsPanel : public Panel {
     }
     ImGui::EndTable();
     frame.Say(
-        "ms to build, and to draw a small picture of this view; boxes and primitives tested per ray. A click takes "
+        "ms to build, and to draw a small image of this view; boxes and primitives tested per ray. A click takes "
         "one; the image stays the same.");
   }
 };

@@ -44,7 +44,7 @@ class DisplayPanel : public Panel {
     SwitchOf(frame, "the scene's camera", "Shift+C", &SpaceOverlays::camera);
     SwitchOf(frame, "rendered image in space", "V", &SpaceOverlays::quad);
     Switch(frame, "rays of every 25th pixel (G)", viewer.rays.ShowsGrid(), ToggleGrid);
-    Switch(frame, "traced image (Shift+P)", viewer.pictures.IsLive(), ToggleTraced);
+    Switch(frame, "traced image (Shift+P)", viewer.traced.IsLive(), ToggleTraced);
     Switch(frame, "denoising (M)", viewer.settings.render.denoise, ToggleDenoising);
   }
 

@@ -137,7 +137,7 @@ class EditPanel : public Panel {
       frame.Ask([material, name = std::string(text.data())](ViewerState& v) { v.editor.SetTexture(material, name); });
   }
 
-  /// What a statement of its own says of a material, or a button for one.
+  /// Draws what a statement of its own says about a material, or a button for one.
   static void DrawMore(PanelFrame& frame, std::size_t material, const std::string& command, FieldWidgets& fields) {
     ImGui::PushID(command.c_str());
     if (const auto about = AboutMaterial(frame.viewer.scene.Loaded().places, material, command))

@@ -38,13 +38,13 @@ class ImagePanel : public Panel {
   }
 
   void DrawHistogram(PanelFrame& frame) {
-    const TracedPictures& pictures = frame.viewer.pictures;
-    const RenderJob* job = pictures.Job();
+    const TracedImages& traced = frame.viewer.traced;
+    const RenderJob* job = traced.Job();
     if (!job) return frame.Say("S or P renders an image, whose values are then counted here");
-    const Seen now{pictures.JobNumber(), job->Samples(), job->HasEnded(), frame.viewer.exposure_steps};
+    const Seen now{traced.JobNumber(), job->Samples(), job->HasEnded(), frame.viewer.exposure_steps};
     if (!(now == seen_)) {
       seen_ = now;
-      if (const auto image = pictures.Current()) histogram_ = HistogramOf(*image, R1::Exp2(now.stops));
+      if (const auto image = traced.Current()) histogram_ = HistogramOf(*image, R1::Exp2(now.stops));
     }
     Plot(frame);
     const auto all = static_cast<double>(std::max<std::int64_t>(1, histogram_.pixels));
@@ -98,7 +98,7 @@ class ImagePanel : public Panel {
     }
   }
 
-  /// What the histogram is of.
+  /// The image of the histogram.
   struct Seen {
     std::uint64_t job = 0;
     int samples = 0;

@@ -53,8 +53,8 @@ std::optional<std::pair<double, double>> DepthsOf(const R2::Image& image) {
 class LayersPanel : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const TracedPictures& pictures = frame.viewer.pictures;
-    const RenderJob* job = pictures.IsLive() ? pictures.Live() : nullptr;
+    const TracedImages& traced = frame.viewer.traced;
+    const RenderJob* job = traced.IsLive() ? traced.Live() : nullptr;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("live").x -
                             ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::BeginCombo("live", job ? NameOf(job->Settings().mode) : "off")) {
@@ -103,11 +103,11 @@ class LayersPanel : public Panel {
 
   /// The number that the color below the pointer stands for.
   static void DrawValue(PanelFrame& frame, const RenderJob& job) {
-    const auto& pointer = frame.viewer.PictureUnderPointer();
-    const Frame& picture = job.frame();
+    const auto& pointer = frame.viewer.PointerInShownImage();
+    const Frame& image = job.frame();
     const auto x = static_cast<int>(std::floor(pointer.x)), y = static_cast<int>(std::floor(pointer.y));
-    if (x < 0 || y < 0 || x >= picture.Width() || y >= picture.Height()) return;
-    const R2::Color value = picture.At(x, y);
+    if (x < 0 || y < 0 || x >= image.Width() || y >= image.Height()) return;
+    const R2::Color value = image.At(x, y);
     const RenderMode mode = job.Settings().mode;
     const bool is_one_number = mode == RenderMode::depth || mode == RenderMode::id;
     frame.Fact("pixel", std::to_string(x) + " " + std::to_string(y));

@@ -24,7 +24,7 @@ std::string LengthOf(const RecordedRay& ray) {
   return end ? Brief(Length(*end - ray.ray.At(ray.ray.t_min))) : "endless";
 }
 
-/// Short lines of those colors on the black of a picture that is dark; whatever the theme, they are seen on it.
+/// Short lines of those colors on the black of an image that is dark; whatever the theme, they are seen on it.
 void DrawSwatch(std::span<const Rgba> colors) {
   constexpr float letters_wide = 4, thickness = 0.15F;  // of a line's height
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -41,7 +41,7 @@ void DrawSwatch(std::span<const Rgba> colors) {
   ImGui::SameLine();
 }
 
-/// What the colors of rays mean, and switches for them.
+/// Draws the legend of the colors of rays, with switches.
 void DrawLegend(PanelFrame& frame) {
   constexpr std::array names{"from the camera", "to lights; blocked", "reflected; scattered", "transmitted"};
   static_assert(names.size() == shown_ray_kinds);
@@ -59,7 +59,7 @@ void DrawLegend(PanelFrame& frame) {
   frame.Say("of another tracer");
 }
 
-/// How many rays are traced to be looked at, each a number that is typed.
+/// Draws the fields for the numbers of traced rays.
 void DrawCounts(PanelFrame& frame) {
   const DebugRayCounts now = frame.viewer.rays.Counts();
   constexpr int most = 4096;
@@ -129,10 +129,10 @@ class PixelPanel : public Panel {
     return Shown(frame.viewer.settings.render.srgb ? EncodeSrgb(Clamped(light)) : light);
   }
 
-  /// What each ray leads to, and what all of that contributes; read again for each trace of a pixel.
+  /// Reads the tree of rays and the contribution of each subtree, again for each trace of a pixel.
   void Read(const PanelFrame& frame, const PixelTrace& pixel) {
     const int trace = frame.viewer.rays.TraceNumber();
-    const R2::Image* const reference = frame.viewer.pictures.Reference().get();
+    const R2::Image* const reference = frame.viewer.traced.Reference().get();
     if (std::exchange(trace_, trace) == trace && std::exchange(reference_, reference) == reference) return;
     rays_.Forget();
     children_.assign(pixel.rays.size(), {});
@@ -148,10 +148,10 @@ class PixelPanel : public Panel {
     Explain(frame, pixel);
   }
 
-  /// Why the pixel differs from the reference, where there is one of its image.
+  /// Explains why the pixel differs from the reference, if there is one of its image.
   void Explain(const PanelFrame& frame, const PixelTrace& pixel) {
     explanation_.clear();
-    const std::shared_ptr<const R2::Image>& reference = frame.viewer.pictures.Reference();
+    const std::shared_ptr<const R2::Image>& reference = frame.viewer.traced.Reference();
     const RenderSettings& settings = frame.viewer.rays.PixelSettings();
     if (!reference || reference->Width() != settings.width || reference->Height() != settings.height) return;
     const R2::Color wanted = reference->At(pixel.column, pixel.row);
@@ -176,8 +176,8 @@ class PixelPanel : public Panel {
       return AsSeen(frame, left_out_.contains(i) ? R2::Color{}
                                                  : contribution_[i] / static_cast<double>(pixel.samples.size()));
     };
-    const auto clicked = rays_.Draw(frame, "rays", {roots_, [&](std::size_t i) { return children_[i]; }, text_of, color_of},
-                                    pixel_lines, chosen);
+    const auto clicked = rays_.Draw(
+        frame, "rays", {roots_, [&](std::size_t i) { return children_[i]; }, text_of, color_of}, pixel_lines, chosen);
     if (!clicked) return;
     frame.Ask(
         [ray = *clicked, chosen](ViewerState& v) { ChooseRay(v, ray == chosen ? std::nullopt : std::optional(ray)); });

@@ -11,7 +11,7 @@
 namespace ray {
 namespace {
 
-/// How long a value may be that is typed: as long as names of files.
+/// The longest value that can be typed: as long as names of files.
 constexpr std::size_t most_letters = 4096;
 
 void ChangeTo(PanelFrame& frame, const ShownOption& option, const std::string& value) {

@@ -6,7 +6,7 @@
 #include "source/view/live/JobStatus.h"
 #include "source/view/panels/Panel.h"
 
-// How the picture that is rendered is getting on, and what its rays cost.
+// How the image that is rendered is getting on, and what its rays cost.
 namespace ray {
 namespace {
 
@@ -39,7 +39,7 @@ class StatisticsPanel : public Panel {
     frame.Fact("scene", Counted(static_cast<std::uint64_t>(world.Primitives()), "primitive") + ", " +
                             Counted(world.Instances().size(), "instance") + ", " +
                             Counted(world.Nodes().size(), "node"));
-    const RenderJob* job = frame.viewer.pictures.Job();
+    const RenderJob* job = frame.viewer.traced.Job();
     if (!job) return frame.Say("Nothing is rendered yet; P renders live, S an image.");
     frame.Fact("mode", NameOf(job->Settings().mode));
     frame.Fact("samples", std::to_string(job->Samples()) + " of " + std::to_string(job->Settings().samples));

@@ -20,58 +20,57 @@ bool IsLight(RenderMode mode) {
 }
 
 /// The rows of key S that are done.
-void ShowTrace(const TracedPictures& pictures, FrameState::ShownImage& picture) {
-  picture.frame = &pictures.Trace()->frame();
-  picture.number = pictures.TraceNumber();
-  picture.rows = pictures.Trace()->RowsDone();
+void ShowTrace(const TracedImages& traced, FrameState::ShownImage& image) {
+  image.frame = &traced.Trace()->frame();
+  image.number = traced.TraceNumber();
+  image.rows = traced.Trace()->RowsDone();
 }
 
 /// The image of key S where it hangs in space; nothing where it does not.
 std::optional<FrameState::ShownImage> QuadInSpace(const ViewerState& viewer, const Exposure& exposure) {
   const auto quad = viewer.Quad();
   if (!quad) return {};
-  FrameState::ShownImage picture;
-  ShowTrace(viewer.pictures, picture);
-  picture.exposure = exposure;
-  picture.corners.emplace();
+  FrameState::ShownImage image;
+  ShowTrace(viewer.traced, image);
+  image.exposure = exposure;
+  image.corners.emplace();
   for (std::size_t i = 0; i < quad->Corners().size(); ++i)
-    (*picture.corners)[i] = viewer.scene.Space().At(quad->Corners()[i]);
-  return picture;
+    (*image.corners)[i] = viewer.scene.Space().At(quad->Corners()[i]);
+  return image;
 }
 
 /// The image that covers the view, live or flat; nothing where none does.
-std::optional<FrameState::ShownImage> CoveringPicture(const ViewerState& viewer) {
-  FrameState::ShownImage picture;
-  picture.exposure = {R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb,
-                      viewer.settings.render.quantization};
-  const bool is_traced = !viewer.pictures.IsLive() && viewer.pictures.Trace();
-  picture.place = is_traced ? viewer.PlaceOf(*viewer.pictures.Trace()) : viewer.PlaceOfPicture();
-  if (auto compared = viewer.pictures.Compared()) {
-    picture.image = std::move(compared);
-    if (viewer.pictures.ShowsEncodedDifference()) picture.exposure.srgb = false;
-    if (viewer.pictures.ShowsFalseColors()) picture.exposure = {};
-    return picture;
+std::optional<FrameState::ShownImage> CoveringImage(const ViewerState& viewer) {
+  FrameState::ShownImage image;
+  image.exposure = {R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb, viewer.settings.render.quantization};
+  const bool is_traced = !viewer.traced.IsLive() && viewer.traced.Trace();
+  image.place = is_traced ? viewer.PlaceOf(*viewer.traced.Trace()) : viewer.PlaceOfShownImage();
+  if (auto compared = viewer.traced.Compared()) {
+    image.image = std::move(compared);
+    if (viewer.traced.ShowsEncodedDifference()) image.exposure.srgb = false;
+    if (viewer.traced.ShowsFalseColors()) image.exposure = {};
+    return image;
   }
-  if (viewer.FlatJob() && !viewer.pictures.IsLive()) {
-    ShowTrace(viewer.pictures, picture);
-    return picture;
+  if (viewer.FlatJob() && !viewer.traced.IsLive()) {
+    ShowTrace(viewer.traced, image);
+    return image;
   }
-  if (!viewer.pictures.ShownLive() || !viewer.overlays.faces) return {};
-  const RenderJob& job = *viewer.pictures.ShownLive();
-  picture.opacity = viewer.pictures.Opacity();
+  if (!viewer.traced.ShownLive() || !viewer.overlays.faces) return {};
+  const RenderJob& job = *viewer.traced.ShownLive();
+  image.opacity = viewer.traced.Opacity();
   const RenderMode mode = job.Settings().mode;
   if (IsLight(mode)) {
-    picture.frame = &job.frame();
-    picture.number = viewer.pictures.ShownLiveNumber();
+    image.frame = &job.frame();
+    image.number = viewer.traced.ShownLiveNumber();
   } else {
     // Colors that stand for something else than light: as image files show them.
-    picture.image = std::make_shared<const R2::Image>(LayerAsShown(mode, job.frame().Image()));
-    picture.exposure = {1, false, viewer.settings.render.quantization};
+    image.image = std::make_shared<const R2::Image>(LayerAsShown(mode, job.frame().Image()));
+    image.exposure = {1, false, viewer.settings.render.quantization};
   }
-  return picture;
+  return image;
 }
 
-/// What the flat image needs of a frame: the slider, and what is beside it; and nothing in space.
+/// Sets the parts of a frame that the flat image needs: the slider, what is beside it, and nothing in space.
 void ShowFlat(const ViewerState& viewer, FrameState& shown) {
   if (!viewer.FlatJob() || !shown.covering) return;
   static const auto no_lines = std::make_shared<const Lines>();
@@ -79,17 +78,17 @@ void ShowFlat(const ViewerState& viewer, FrameState& shown) {
   shown.marks = shown.lit = nullptr;
   shown.shows_edges = false;
   shown.split = static_cast<int>(std::lround(viewer.flat.Slider() * shown.view.width));
-  if (!viewer.pictures.Reference()) return;
+  if (!viewer.traced.Reference()) return;
   shown.beside = FrameState::ShownImage{};
-  shown.beside->image = viewer.pictures.Reference();
+  shown.beside->image = viewer.traced.Reference();
   shown.beside->exposure = shown.covering->exposure;
   const RenderSettings& settings = viewer.FlatJob()->Settings();
   const bool is_whole =
       shown.beside->image->Width() == settings.width && shown.beside->image->Height() == settings.height;
-  shown.beside->place = is_whole ? viewer.PlaceOfPicture() : shown.covering->place;
+  shown.beside->place = is_whole ? viewer.PlaceOfShownImage() : shown.covering->place;
 }
 
-/// Whether lines in space are drawn over the view.
+/// Returns true if lines in space are drawn over the view.
 bool HasLines(const FrameState& shown) {
   return !shown.lines->empty() || (shown.marks && !shown.marks->empty()) || shown.lit || shown.shows_edges;
 }
@@ -111,9 +110,9 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
                           viewer.settings.render.quantization};
   const R2::Color background = exposure.factor * viewer.scene.Parsed().background;
   shown.background = exposure.srgb ? EncodeSrgb(background) : background;
-  shown.seen_from = ViewFrom(viewer.CameraOfPicture(), viewer.scene.Space(), viewer.SizeOfPreview(), exposure);
+  shown.seen_from = ViewFrom(viewer.CameraOfShownImage(), viewer.scene.Space(), viewer.SizeOfPreview(), exposure);
   shown.clip_from_drawing =
-      ClipFromDrawing(viewer.CameraOfPicture(), viewer.scene.Space(), BoxOfDrawing(viewer), viewer.SizeOfPreview());
+      ClipFromDrawing(viewer.CameraOfShownImage(), viewer.scene.Space(), BoxOfDrawing(viewer), viewer.SizeOfPreview());
   shown.faces = viewer.scene.Faces();
   shown.shows_faces = viewer.overlays.faces;
   shown.shows_edges = viewer.overlays.edges;
@@ -126,11 +125,11 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
     shown.lit =
         std::make_shared<const Lines>(ChosenRay(*viewer.rays.Pixel(), viewer.scene.Space(), viewer.rays.Look()));
   shown.quad = QuadInSpace(viewer, exposure);
-  shown.covering = CoveringPicture(viewer);
-  if (shown.covering && viewer.pictures.ShownLive() && HasLines(shown) && viewer.navigator.camera().IsPinhole()) {
-    viewer.pictures.TraceDepths();
-    if (const RenderJob* depths = viewer.pictures.Depths())
-      shown.covering->depths = {&depths->frame(), viewer.pictures.DepthsNumber(), viewer.scene.Space().radius};
+  shown.covering = CoveringImage(viewer);
+  if (shown.covering && viewer.traced.ShownLive() && HasLines(shown) && viewer.navigator.camera().IsPinhole()) {
+    viewer.traced.TraceDepths();
+    if (const RenderJob* depths = viewer.traced.Depths())
+      shown.covering->depths = {&depths->frame(), viewer.traced.DepthsNumber(), viewer.scene.Space().radius};
   }
   ShowFlat(viewer, shown);
   shown.line_width = LineWidth(viewer);

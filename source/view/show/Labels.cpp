@@ -20,7 +20,7 @@ constexpr double margin = 0.35;        // of text, in heights of its lines
 constexpr double lines_at_bottom = 5;  // the message, names of the slider's sides, and half of a value
 constexpr std::size_t letters_of_a_value = 5;
 
-/// In letters_of_a_value letters.
+/// Returns the value in letters_of_a_value letters.
 std::string ShortValue(float value) {
   const double v = static_cast<double>(value), size = std::abs(v);
   constexpr double of_two_decimals = 9.99, of_one = 99.9, whole = 9999;
@@ -29,7 +29,7 @@ std::string ShortValue(float value) {
   return size < whole ? Fixed(v, 0) : size < 1e9 ? Rounded(v, 1) : std::isfinite(v) ? "huge" : "inf";
 }
 
-/// What pixels are, where these are large enough.
+/// Adds the values of pixels, if these are large enough.
 ///   split   the column from which on the pixels are the reference's
 void AddValuesOfPixels(const ViewerState& viewer, std::vector<Label>& labels, const LetterSize& letters, double split) {
   const Frame& frame = viewer.FlatJob()->frame();
@@ -37,7 +37,7 @@ void AddValuesOfPixels(const ViewerState& viewer, std::vector<Label>& labels, co
   const double side = place.width / frame.Width();
   if (side < std::max((letters_of_a_value + 1) * letters.width, 3 * letters.height)) return;
   const auto first = [&](double from) { return std::max(0, static_cast<int>(std::ceil(-from / side - 0.5))); };
-  const std::shared_ptr<const R2::Image>& reference = viewer.pictures.Reference();
+  const std::shared_ptr<const R2::Image>& reference = viewer.traced.Reference();
   const DrawingSize view = viewer.layout().view;
   for (int y = first(place.bottom); y < frame.Height() && place.bottom + (y + 0.5) * side < view.height; ++y)
     for (int x = first(place.left); x < frame.Width() && place.left + (x + 0.5) * side < view.width; ++x) {
@@ -57,10 +57,10 @@ void AddValuesOfPixels(const ViewerState& viewer, std::vector<Label>& labels, co
 
 /// The sides of the flat image's slider, and what its pixels are.
 void AddLabelsOfFlat(const ViewerState& viewer, std::vector<Label>& labels, const LetterSize& letters) {
-  if (!viewer.FlatJob() || viewer.pictures.HowCompared() != TracedPictures::Comparing::no) return;
+  if (!viewer.FlatJob() || viewer.traced.HowCompared() != TracedImages::Comparing::no) return;
   const DrawingSize view = viewer.layout().view;
   const double split = viewer.flat.Slider() < 1 ? viewer.flat.Slider() * view.width : view.width;
-  const std::shared_ptr<const R2::Image>& reference = viewer.pictures.Reference();
+  const std::shared_ptr<const R2::Image>& reference = viewer.traced.Reference();
   AddValuesOfPixels(viewer, labels, letters, split);
   if (split < view.width) {
     const double y = 2 * letters.height, gap = letters.width;
@@ -71,10 +71,10 @@ void AddLabelsOfFlat(const ViewerState& viewer, std::vector<Label>& labels, cons
   }
 }
 
-/// What the preview does not show of the camera; empty where it shows all.
+/// Names what the preview does not show of the camera; empty if it shows all.
 std::string TextOfProjection(const ViewerState& viewer) {
   const Camera& camera = viewer.navigator.camera();
-  if (camera.IsPinhole() || viewer.flat.IsShown() || viewer.pictures.IsLive()) return {};
+  if (camera.IsPinhole() || viewer.flat.IsShown() || viewer.traced.IsLive()) return {};
   return std::string("preview of a pinhole; S traces the true projection, ") + camera.kind->name;
 }
 
@@ -106,9 +106,9 @@ std::vector<Label> MakeLabels(const ViewerState& viewer) {
   }
   if (viewer.scene.ShowsNothing() && viewer.scene.Mistakes().empty())
     upper.emplace_back("the scene has no shapes", text_color);
-  if (const RenderJob* job = viewer.Parts().bar ? viewer.pictures.Job() : nullptr)
+  if (const RenderJob* job = viewer.Parts().bar ? viewer.traced.Job() : nullptr)
     if (std::string text = MissingLightOf(*job); !text.empty()) upper.emplace_back(std::move(text), text_color);
-  if (std::string text = viewer.pictures.ScaleOfComparison(); !text.empty())
+  if (std::string text = viewer.traced.ScaleOfComparison(); !text.empty())
     upper.emplace_back(std::move(text), text_color);
   if (std::string text = TextOfProjection(viewer); !text.empty()) upper.emplace_back(std::move(text), text_color);
   if (viewer.selection.pick && !viewer.shows.panels)

@@ -35,7 +35,7 @@ Lines MakeLines(const ViewerState& viewer) {
             share_of_radius * space.radius);
   if (ShowsFrameOfQuad(viewer)) {
     const auto quad = viewer.Quad();
-    const RenderSettings& traced = viewer.pictures.Trace()->Settings();
+    const RenderSettings& traced = viewer.traced.Trace()->Settings();
     frustum(quad->camera(), traced.width, traced.height, quad->Distance());
   }
   // Each by itself: what fades among many rays of the grid must not take those of a pixel along.

@@ -9,30 +9,30 @@
 
 namespace ray {
 
-/// What is to be drawn now. `lines`: those of MakeLines.
+/// Makes the frame to be drawn. `lines`: those of MakeLines.
 FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines);
 
-/// What is written over the view.
+/// Makes the texts over the view.
 std::vector<Label> MakeLabels(const ViewerState& viewer);
 /// The mistakes of the file that was to be read, which stay to be seen until it is right; empty without any.
 std::string TextOfProblems(const ViewerState& viewer);
 
 /// Boxes, lights, cameras and rays.
 Lines MakeLines(const ViewerState& viewer);
-/// What keeps its size on the screen: the pivot, the pick, and what is moved.
+/// Makes the lines that keep their size on the screen: the pivot, the pick, and what is moved.
 Lines MakeMarks(const ViewerState& viewer);
 /// Around the crop, which there must be, as deep in the view as the middle of what is drawn.
 Lines FrameOfCrop(const ViewerState& viewer);
-/// Whether a frame is drawn around the rendered image in space.
+/// Returns true if a frame is drawn around the rendered image in space.
 bool ShowsFrameOfQuad(const ViewerState& viewer);
 /// Around all that is drawn in space.
 R3::Box BoxOfDrawing(const ViewerState& viewer);
 
 /// "hello.scn 512x512 4 of 16 samples 31 % 0.5 Mrays/s 12 s left"
 std::string TitleOf(const ViewerState& viewer);
-/// What is shown, in lines of words, for scripts.
-std::string StateInWords(ViewerState& viewer);
-/// What the panels and the help say, in lines; none where they are hidden.
+/// Describes what is shown, in lines, for scripts.
+std::string DescribeState(ViewerState& viewer);
+/// Returns the text of the panels and the help, in lines; empty if they are hidden.
 std::string TextOfPanels(ViewerState& viewer);
 
 }  // namespace ray

@@ -22,7 +22,7 @@ std::string TitleOf(const ViewerState& viewer) {
          (viewer.status.Text().empty() ? "" : " " + viewer.status.Text());
 }
 
-std::string StateInWords(ViewerState& viewer) {
+std::string DescribeState(ViewerState& viewer) {
   std::string text;
   const auto line = [&](const std::string& name, const std::string& value) { text += name + " " + value + "\n"; };
   const auto yes_or_no = [](bool is) { return is ? "yes" : "no"; };
@@ -36,16 +36,15 @@ std::string StateInWords(ViewerState& viewer) {
   line("frustum", yes_or_no(viewer.overlays.camera));
   line("quad", yes_or_no(viewer.Quad().has_value()));
   line("boxes",
-       BoxesInWords(viewer.overlays, viewer.scene.world(), *viewer.scene.Loaded().accelerator, viewer.scene.Space()));
+       DescribeBoxes(viewer.overlays, viewer.scene.world(), *viewer.scene.Loaded().accelerator, viewer.scene.Space()));
   line("turntable", yes_or_no(viewer.navigator.IsTurntable()));
   line("pivot", yes_or_no(viewer.navigator.Pivot().has_value()));
-  line("live",
-       viewer.pictures.IsLive() ? NameOf(viewer.pictures.LiveMode().value_or(viewer.settings.render.mode)) : "no");
+  line("live", viewer.traced.IsLive() ? NameOf(viewer.traced.LiveMode().value_or(viewer.settings.render.mode)) : "no");
   line("status", viewer.status.Text());
-  line("trace", !viewer.pictures.Trace()                ? "none"
-                : viewer.pictures.IsTracing()           ? "running"
-                : viewer.pictures.Trace()->IsComplete() ? "complete"
-                                                        : "stopped");
+  line("trace", !viewer.traced.Trace()                ? "none"
+                : viewer.traced.IsTracing()           ? "running"
+                : viewer.traced.Trace()->IsComplete() ? "complete"
+                                                      : "stopped");
   line("flat", viewer.flat.IsShown()
                    ? "zoom " + Rounded(viewer.flat.ZoomFactor(), 4) + " slider " + Rounded(viewer.flat.Slider(), 4)
                    : "no");
@@ -60,8 +59,8 @@ std::string StateInWords(ViewerState& viewer) {
   if (const std::string place = TextOfSection(viewer); !place.empty()) line("under the pointer", place);
   line("cut", viewer.section.IsShown() ? viewer.section.Describe(viewer.screen.size.height) : "no");
   line("exposure", ToText(viewer.exposure_steps));
-  line("comparing", std::to_string(static_cast<int>(viewer.pictures.HowCompared())));
-  line("reference", yes_or_no(viewer.pictures.Reference() != nullptr));
+  line("comparing", std::to_string(static_cast<int>(viewer.traced.HowCompared())));
+  line("reference", yes_or_no(viewer.traced.Reference() != nullptr));
   line("help", yes_or_no(viewer.shows.help));
   line("problem", TextOfProblems(viewer));
   line("message", viewer.notices.Message());

@@ -59,7 +59,7 @@ TEST(EventScript, ShortStepsStandForSeveralEvents) {
   EXPECT_EQ(Written({drag[1]}), "move 10 5\n");
 }
 
-TEST(EventScript, WaitsAndPicturesAreSteps) {
+TEST(EventScript, WaitsAndImagesAreSteps) {
   const auto steps = Read("wait trace  # until it is there\nwait 0.5\nscreenshot my picture.png\nprint\nwait rows 7");
   ASSERT_EQ(steps.size(), 5u);
   EXPECT_EQ(std::get<WaitForRows>(steps[4]).rows, 7);

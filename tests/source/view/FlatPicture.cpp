@@ -10,13 +10,13 @@
 namespace ray {
 namespace {
 
-TEST_F(ViewerTest, TheRenderedPictureIsShownFlatUntilEscape) {
+TEST_F(ViewerTest, TheRenderedImageIsShownFlatUntilEscape) {
   Do("key I");
   EXPECT_FALSE(viewer_->Show().covering) << "nothing is rendered yet";
   Do("key S\nwait trace\nkey I");
   FrameState shown = viewer_->Show();
   ASSERT_TRUE(shown.covering && shown.covering->frame);
-  EXPECT_EQ(shown.covering->frame, &viewer_->Pictures().Trace()->frame());
+  EXPECT_EQ(shown.covering->frame, &viewer_->Traced().Trace()->frame());
   EXPECT_EQ(shown.covering->place.width, width);
   EXPECT_EQ(shown.covering->place.height, height);
   EXPECT_EQ(shown.split, width) << "all of it";
@@ -31,16 +31,16 @@ TEST_F(ViewerTest, TheRenderedPictureIsShownFlatUntilEscape) {
 TEST_F(ViewerTest, TheWheelZoomsAndADragMovesTheFlatImage) {
   Do("key S\nwait trace\nkey I\nmove 10.5 20.5");
   const Camera before = camera();
-  const R2::Point pixel = viewer_->state().PictureUnderPointer();
+  const R2::Point pixel = viewer_->state().PointerInShownImage();
   Do("scroll 5 10.5 20.5");
   const PixelBox zoomed = viewer_->Show().covering->place;
   EXPECT_GT(zoomed.width, 2 * width);
-  EXPECT_NEAR(viewer_->state().PictureUnderPointer().x, pixel.x, 1e-9);
-  EXPECT_NEAR(viewer_->state().PictureUnderPointer().y, pixel.y, 1e-9);
+  EXPECT_NEAR(viewer_->state().PointerInShownImage().x, pixel.x, 1e-9);
+  EXPECT_NEAR(viewer_->state().PointerInShownImage().y, pixel.y, 1e-9);
   Do("down left 10.5 20.5\nmove 30.5 25.5\nup left 30.5 25.5");
-  EXPECT_NEAR(viewer_->state().PictureUnderPointer().x, pixel.x, 1e-9)
+  EXPECT_NEAR(viewer_->state().PointerInShownImage().x, pixel.x, 1e-9)
       << "what was taken hold of stays under the pointer";
-  EXPECT_NEAR(viewer_->state().PictureUnderPointer().y, pixel.y, 1e-9);
+  EXPECT_NEAR(viewer_->state().PointerInShownImage().y, pixel.y, 1e-9);
   Do("click right 30.5 25.5");
   EXPECT_EQ(StateLine("pixel"), "10 20");
   EXPECT_TRUE(IsCameraOf(before));
@@ -56,8 +56,8 @@ TEST_F(ViewerTest, TheSliderShowsPreviewOrReferenceBesideTheImage) {
   EXPECT_EQ(viewer_->Show().split, 48);
   Do("key R");
   ASSERT_TRUE(viewer_->Show().beside);
-  EXPECT_EQ(viewer_->Show().beside->image, viewer_->Pictures().Reference());
-  // The preview beside it is of the picture's camera, wherever the viewer's own is by then.
+  EXPECT_EQ(viewer_->Show().beside->image, viewer_->Traced().Reference());
+  // The preview beside it is of the image's camera, wherever the viewer's own is by then.
   Do("key Escape");
   const auto eye = viewer_->Show().seen_from.eye;
   Do("key Pad7");
@@ -79,15 +79,15 @@ TEST_F(ViewerTest, TheSidesOfTheSliderHaveNames) {
   EXPECT_TRUE(is_named("image") && is_named("reference"));
 }
 
-TEST_F(ViewerTest, LargePixelsTellTheirValues) {
+TEST_F(ViewerTest, LargePixelsShowTheirValues) {
   Do("resize 400 300\nkey S\nwait trace\nkey I\nscroll 10 200 150\ntick 10");
   EXPECT_TRUE(viewer_->Show().labels.empty()) << "they have no room";
   Do("scroll 10 200 150\ntick 10\nmove 200 150");
   const auto labels = viewer_->Show().labels;
   ASSERT_FALSE(labels.empty());
-  const auto x = static_cast<int>(viewer_->state().PictureUnderPointer().x),
-             y = static_cast<int>(viewer_->state().PictureUnderPointer().y);
-  const R2::Color value = viewer_->Pictures().Trace()->frame().At(x, y);
+  const auto x = static_cast<int>(viewer_->state().PointerInShownImage().x),
+             y = static_cast<int>(viewer_->state().PointerInShownImage().y);
+  const R2::Color value = viewer_->Traced().Trace()->frame().At(x, y);
   // The three that are nearest to the middle of that pixel, from the top.
   const PixelBox place = viewer_->Show().covering->place;
   const double side = place.width / 400;

@@ -1,4 +1,4 @@
-// Whoever leans on the keyboard must not lose a picture: nothing that a user does in whatever order breaks the viewer.
+// Whoever leans on the keyboard must not lose an image: nothing that a user does in whatever order breaks the viewer.
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,7 @@ class RandomUser {
     for (const std::uint32_t corner : shown.panels->indices) ASSERT_LT(corner, shown.panels->corners.size());
   }
 
-  /// Whether key S still makes the picture that the same settings make without a viewer.
+  /// Whether key S still makes the image that the same settings make without a viewer.
   void CheckRendering() {
     for (int i = 0; i < 3; ++i) Do(ButtonEvent{static_cast<Button>(i), false, 1, 1, {}});
     viewer_->WaitForScene();
@@ -89,7 +89,7 @@ class RandomUser {
     host_.traced.clear();
     host_.traced_settings.clear();
     Do(KeyEvent{Key::s, {}, true});
-    while (viewer_->Pictures().IsUnsaved()) {
+    while (viewer_->Traced().IsUnsaved()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       viewer_->Update();
     }

@@ -35,7 +35,8 @@ class SlowScenes : public ViewerTest {
  protected:
   void SetUp() override {
     constexpr int side = 300;  // squares, of two triangles
-    std::string mesh = "OFF\n" + std::to_string((side + 1) * (side + 1)) + " " + std::to_string(2 * side * side) + " 0\n";
+    std::string mesh =
+        "OFF\n" + std::to_string((side + 1) * (side + 1)) + " " + std::to_string(2 * side * side) + " 0\n";
     for (int y = 0; y <= side; ++y)
       for (int x = 0; x <= side; ++x) mesh += std::to_string(x) + " " + std::to_string(y) + " 0\n";
     for (int y = 0; y < side; ++y)

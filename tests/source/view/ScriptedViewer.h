@@ -37,7 +37,7 @@ class ScriptedViewer : public ::testing::Test {
   }
   void SetUp() override { Open(project::Root() / "scenes/hello.scn"); }
 
-  /// Steps of a script, but for pictures and prints.
+  /// Steps of a script, but for images and prints.
   void Do(const std::string& script) {
     for (const ScriptStep& step : ReadEventScript({"test", script})) {
       if (const auto* event = std::get_if<Event>(&step)) viewer_->Handle(*event);
@@ -69,7 +69,7 @@ class ViewerTest : public ScriptedViewer<Witness, 64, 48> {
     return Render(scene.world, *scene.accelerator, settings).image;
   }
   std::string StateLine(const std::string& name) const {
-    std::istringstream in(viewer_->InWords());
+    std::istringstream in(viewer_->Describe());
     for (std::string line; std::getline(in, line);)
       if (line.compare(0, name.size() + 1, name + " ") == 0) return line.substr(name.size() + 1);
     return "no such line";

@@ -70,7 +70,7 @@ TEST_F(ViewerTest, APixelsRaysArePrintedAsRayproPrintsThem) {
   EXPECT_EQ(host_.rays.find("nan"), std::string::npos);
 }
 
-TEST_F(ViewerTest, AClickTellsWhatTheTracerHits) {
+TEST_F(ViewerTest, AClickDescribesWhatTheTracerHits) {
   Do("click left 32 24");
   ASSERT_TRUE(viewer_->Picked() && viewer_->Picked()->point);
   const R3::Ray ray = camera().Through(32.5, 24.5, width, height);
@@ -232,7 +232,7 @@ TEST_F(SceneOnDisk, AnInitiallyBrokenSceneIsShownOnceFixed) {
     Parse(File(), {});
     FAIL();
   } catch (const SceneErrors& mistakes) {
-    viewer_->TellMistakes(mistakes);
+    viewer_->ShowMistakes(mistakes);
   }
   Do("tick 60");
   EXPECT_TRUE(IsSeen("unknown command 'spere'"));

@@ -55,7 +55,7 @@ TEST_F(ViewerTest, EveryKeyIsInTheHelpAndDoesSomething) {
     if (const auto found = before.find(name); found != before.end()) Do(found->second);
     const auto seen = [&] {
       const FrameState shown = viewer_->Show();
-      return viewer_->InWords() + std::to_string(host_.drawings) + host_.printed + host_.rays + host_.clipboard +
+      return viewer_->Describe() + std::to_string(host_.drawings) + host_.printed + host_.rays + host_.clipboard +
              std::to_string(shown.lines->size()) + std::to_string(viewer_->IsClosed());
     };
     const std::string without = seen();

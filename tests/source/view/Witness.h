@@ -26,9 +26,7 @@ class Witness : public ViewerHost {
     std::ofstream out(file);
     return out << text << std::flush ? "" : "cannot write " + file;
   }
-  ReferenceImage ReadPicture(const std::string& file) override {
-    return file == "picture" ? picture : ReferenceImage();
-  }
+  ReferenceImage ReadImage(const std::string& file) override { return file == "picture" ? picture : ReferenceImage(); }
   void SetClipboard(const std::string& text) override { clipboard = text; }
   void Print(const std::string& line) override { printed += line + "\n"; }
 

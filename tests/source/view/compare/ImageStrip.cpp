@@ -27,12 +27,12 @@ TEST_F(ViewerTest, FlipsThroughTheImagesMadeSoFar) {
   ASSERT_EQ(viewer_->state().images.All().size(), 2u);
   Do("key Control+PageUp\nkey Control+PageUp");
   EXPECT_EQ(ShownImage(viewer_->state()), 0u);
-  EXPECT_EQ(*viewer_->Pictures().Compared(), host_.traced[0]);
+  EXPECT_EQ(*viewer_->Traced().Compared(), host_.traced[0]);
   Do("key Control+PageDown");
-  EXPECT_EQ(*viewer_->Pictures().Compared(), host_.traced[1]);
+  EXPECT_EQ(*viewer_->Traced().Compared(), host_.traced[1]);
   Do("key Control+PageDown");
   EXPECT_FALSE(ShownImage(viewer_->state()));
-  EXPECT_FALSE(viewer_->Pictures().Compared());
+  EXPECT_FALSE(viewer_->Traced().Compared());
 }
 
 TEST_F(ViewerTest, ChangesExposureInQuartersOfAStop) {

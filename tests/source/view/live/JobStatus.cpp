@@ -52,7 +52,7 @@ TEST(JobStatus, TellsSamplesPercentAndTimeLeftIfKnown) {
   EXPECT_TRUE(StatusOf(job).ends_with(" Mrays/s")) << StatusOf(job);
 }
 
-TEST(JobStatus, OfRowsTellsTheRow) {
+TEST(JobStatus, OfRowsNamesTheRow) {
   const testing::Gated gated(16 * 8);  // a row of blocks
   RenderJob job(gated.scene, Small(), Order::rows);
   while (job.RowsDone() != 8 || gated.gate->Waiting() == 0) std::this_thread::yield();

@@ -87,7 +87,7 @@ std::vector<Case> Cases() {
   // This accelerator remembers most, so that what a pixel costs depends on those before it.
   cases.push_back({"hello", "heat", 2, "box", 37, 23, 1, "graph"});
   cases.push_back({"hello", "heat", 1, "lanczos", 37, 23, 1, "graph"});
-  // Nothing moves in pictures of one sample, but lenses and motion take other kernels.
+  // Nothing moves in images of one sample, but lenses and motion take other kernels.
   cases.push_back({"lens", "whitted", 2, "box"});
   cases.push_back({"motion", "path", 2, "mitchell"});
   cases.push_back({"empty", "whitted", 2, "gaussian"});
@@ -96,7 +96,7 @@ std::vector<Case> Cases() {
   return cases;
 }
 
-// The picture that was watched while it grew is the one that is saved; it must be the one that raypro makes.
+// The image that was watched while it grew is the one that is saved; it must be the one that raypro makes.
 TEST(RenderJob, GivesTheSameBitsAsRenderWhateverTheOrder) {
   for (const Case& c : Cases()) {
     AcceleratorSettings how;
@@ -162,7 +162,7 @@ TEST(RenderJob, PassesAskedForAreToldOf) {
   EXPECT_EQ(job.Result()->passes.size(), 4u);  // to 1, 2, 4 and 8 samples
 }
 
-// Passes apart are worth having only if they are the picture's own rays.
+// Passes apart are worth having only if they are the image's own rays.
 TEST(RenderJob, TracesEachPixelOfOneSampleOnce) {
   const auto scene = Loaded("hello");
   for (const int width : {1, 37, 64})
@@ -198,7 +198,7 @@ TEST(RenderJob, AWholeLookShowsTheImageOfItsPlaces) {
   gated.gate->Open(1 << 20);
 }
 
-// What is drawn of a picture under way is the picture, not a guess at it; and what is not yet traced is black.
+// What is drawn of an image under way is the image, not a guess at it; and what is not yet traced is black.
 TEST(RenderJob, RowsBelowRowsDoneAreFinalAndThoseAboveUntouched) {
   const auto scene = Loaded("area_light");
   for (const std::string filter : {"box", "gaussian"}) {
@@ -333,7 +333,7 @@ TEST(RenderJob, HasASampleOfEachPixelHoweverShortTheTime) {
   }
 }
 
-// The first picture once had samples that were not clamped, beside others that were.
+// The first image once had samples that were not clamped, beside others that were.
 TEST(RenderJob, ClampsTheFirstSampleLikeAllOthers) {
   const auto scene = Loaded("specular");
   for (const int samples : {1, 4}) {
@@ -370,7 +370,7 @@ TEST(RenderJob, CanceledCoarseFirstContinuesToTheSameImage) {
   EXPECT_EQ(second.Result()->image, whole.image);
 }
 
-// A picture is worth more when all of it is a little better than when a part of it is much better.
+// An image is worth more when all of it is a little better than when a part of it is much better.
 TEST(RenderJob, FinishesAndShowsEachPassBeforeTheNext) {
   const int pixels = 37 * 23;
   RenderSettings settings = Sized(37, 23);
@@ -486,7 +486,7 @@ Camera Moved(Camera camera, std::mt19937& random) {
 }
 
 // Jobs are started one after another while the last still runs, as when a user drags. A frame shared by two jobs showed
-// pixels of the old view in the new picture now and then. Images are small, so that a thousand take seconds.
+// pixels of the old view in the new image now and then. Images are small, so that a thousand take seconds.
 TEST(RenderJob, RandomRestartsLeaveEveryFinishedImageRight) {
   std::mt19937 random(7);
   const std::vector<std::shared_ptr<LoadedScene>> scenes{Loaded("hello"), Loaded("area_light"), Loaded("texture")};

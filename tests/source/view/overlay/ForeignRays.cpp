@@ -88,7 +88,8 @@ TEST(ForeignRays, OfWrongTracersAreNamed) {
 }
 
 TEST(ForeignRays, AreReadAsLinesAndAsObj) {
-  const ForeignRays read = ReadForeignRays({"rays", "# mine\npixel 3 4\ncamera 0 0 5  0 0 1\nshadow 0 0 1  1 2 3 0.5\n"});
+  const ForeignRays read =
+      ReadForeignRays({"rays", "# mine\npixel 3 4\ncamera 0 0 5  0 0 1\nshadow 0 0 1  1 2 3 0.5\n"});
   ASSERT_TRUE(read.pixel);
   EXPECT_EQ(read.pixel->row, 4);
   const auto& lines = read.rays;

@@ -50,7 +50,8 @@ TEST_F(Explained, IsABounceOrAShadow) {
   const LoadedScene scene = Scene(one + other);
   RenderSettings fewer = Settings();
   fewer.trace.max_depth = 0;
-  EXPECT_NE(Why(scene, scene, fewer).find("lacks what the reflection ray"), std::string::npos) << Why(scene, scene, fewer);
+  EXPECT_NE(Why(scene, scene, fewer).find("lacks what the reflection ray"), std::string::npos)
+      << Why(scene, scene, fewer);
   RenderSettings unshadowed = Settings();
   unshadowed.trace.shadows = false;
   int found = 0;

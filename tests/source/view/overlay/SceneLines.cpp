@@ -141,7 +141,7 @@ TEST(AcceleratorBoxes, AreTheBoundsOfOneLeafAndNoneOfNothing) {
   }
 }
 
-TEST(CameraLines, GoThroughTheCornersOfThePicture) {
+TEST(CameraLines, GoThroughTheCornersOfTheImage) {
   const ray::Camera camera = ray::Aim({1, 2, 3}, {0, 0, -1}, {0, 1, 0}).camera;
   const ray::Lines lines = ray::CameraLines(camera, 200, 100, 2, {}, {255, 255, 255, 255});
   const double half = 2 * std::tan(camera.xfov);

@@ -199,7 +199,7 @@ TEST_F(PanelTest, PickingInTheImageSelectsTheTreeNode) {
             static_cast<std::int32_t>(viewer_->Picked()->instance));
 }
 
-TEST_F(PanelTest, KeepTheirClicksDragsAndScrollsFromThePicture) {
+TEST_F(PanelTest, KeepTheirClicksDragsAndScrollsFromTheImage) {
   Do("key Tab");
   const std::string before = CameraLine(viewer_->navigator().camera());
   Do("click left 400 100\nclick right 400 100\ndrag left 400 100 100 300\nscroll 3 400 100");
@@ -276,20 +276,20 @@ TEST_F(PanelTest, AnOptionIsChosenFromAListOfItsValues) {
   EXPECT_EQ(viewer_->state().SettingsOfView().mode, RenderMode::path);
 }
 
-TEST_F(PanelTest, AnOptionIsTypedAndThePictureStartsOver) {
+TEST_F(PanelTest, AnOptionIsTypedAndTheImageStartsOver) {
   Open(project::Root() / "scenes/sphere.scn");
   Do("resize 800 800\nkey Tab\nkey P\nwait trace");
   Click("Scene");
   Click("Render");
   Click("light");
   Click("-samples");
-  const std::uint64_t before = viewer_->Pictures().JobNumber();
+  const std::uint64_t before = viewer_->Traced().JobNumber();
   Do("key Control+A\ntype 4");
   EXPECT_EQ(host_.samples, 1) << "until Enter";
   Do("key Enter\nwait trace");
   EXPECT_EQ(host_.samples, 4);
   EXPECT_EQ(viewer_->state().SettingsOfView().samples, 4);
-  EXPECT_GT(viewer_->Pictures().JobNumber(), before);
+  EXPECT_GT(viewer_->Traced().JobNumber(), before);
   EXPECT_TRUE(Says("make -samples 4")) << viewer_->TextOfPanels();
 }
 
@@ -358,9 +358,9 @@ TEST_F(PanelTest, AChosenLayersNumbersAreThoseOfTheImage) {
   Click("live");
   Click("depth");
   Do("wait trace\nmove 40 128");  // beside the panels
-  const auto x = static_cast<int>(viewer_->state().PictureUnderPointer().x),
-             y = static_cast<int>(viewer_->state().PictureUnderPointer().y);
-  const RenderJob* job = viewer_->Pictures().Live();
+  const auto x = static_cast<int>(viewer_->state().PointerInShownImage().x),
+             y = static_cast<int>(viewer_->state().PointerInShownImage().y);
+  const RenderJob* job = viewer_->Traced().Live();
   ASSERT_TRUE(job);
   EXPECT_EQ(job->Settings().mode, RenderMode::depth);
   const R2::Image picture = Render(viewer_->scene().world, *viewer_->scene().accelerator, job->Settings()).image;
@@ -375,7 +375,7 @@ TEST_F(PanelTest, AChosenLayersNumbersAreThoseOfTheImage) {
   EXPECT_TRUE(Says("value " + Rounded(picture.At(x, y).r, 4))) << viewer_->TextOfPanels();
   Click("live");
   Click("off");
-  EXPECT_FALSE(viewer_->Pictures().IsLive());
+  EXPECT_FALSE(viewer_->Traced().IsLive());
 }
 
 TEST_F(PanelTest, StatisticsAreThoseOfTheRender) {
@@ -386,7 +386,7 @@ TEST_F(PanelTest, StatisticsAreThoseOfTheRender) {
   Click("Render");
   EXPECT_TRUE(Says("Nothing is rendered yet"));
   Do("key P\nwait trace");
-  const RenderResult& result = *viewer_->Pictures().Live()->Result();
+  const RenderResult& result = *viewer_->Traced().Live()->Result();
   EXPECT_TRUE(Says("camera | " + std::to_string(result.rays[RayKind::camera].rays))) << viewer_->TextOfPanels();
   EXPECT_TRUE(Says("all | " + std::to_string(result.rays.Total()))) << viewer_->TextOfPanels();
 }
@@ -519,7 +519,7 @@ TEST_F(PanelTest, AHeldKeyCountsAgainEachTimeItComes) {
   EXPECT_TRUE(Says("bookmark")) << viewer_->TextOfPanels();
 }
 
-TEST_F(PanelTest, TheStatusBarTellsSceneProgressAndPixel) {
+TEST_F(PanelTest, TheStatusBarShowsSceneProgressAndPixel) {
   RenderSettings two;
   two.samples = 2;
   Open(project::Root() / "scenes/hello.scn", two);
@@ -528,7 +528,7 @@ TEST_F(PanelTest, TheStatusBarTellsSceneProgressAndPixel) {
   Do("key S\nwait trace\nmove 100 100");
   EXPECT_TRUE(Says(viewer_->state().status.Text())) << viewer_->TextOfPanels();
   EXPECT_NE(viewer_->state().status.Text().find("2 samples"), std::string::npos) << viewer_->state().status.Text();
-  const R2::Point at = viewer_->state().PictureUnderPointer();
+  const R2::Point at = viewer_->state().PointerInShownImage();
   const std::string pixel = std::to_string(static_cast<int>(at.x)) + " " + std::to_string(static_cast<int>(at.y));
   EXPECT_TRUE(Says(pixel + "  ")) << viewer_->TextOfPanels();
 }
@@ -551,7 +551,7 @@ TEST_F(PanelTest, TheStatusBarStaysWithoutPanelsAndLetsClicksThrough) {
 }
 
 // Keys that a sheet of help lies over still do what they say, but for those that are typed into it.
-TEST_F(PanelTest, TheHelpKeepsClicksFromThePictureBelow) {
+TEST_F(PanelTest, TheHelpKeepsClicksFromTheImageBelow) {
   Do("key H\nclick left 256 256");
   EXPECT_FALSE(viewer_->Picked());
   Do("key Escape\nclick left 256 256");
@@ -573,10 +573,10 @@ TEST_F(PanelTest, TheHelpIsAboveTheStatusBar) {
 
 // It was stretched over what the panels left of the view.
 TEST_F(PanelTest, TheTracedImageIsTracedAgainForTheViewBesideThem) {
-  viewer_->state().pictures.ShowLive({});
+  viewer_->state().traced.ShowLive({});
   const auto check = [&](const char* key) {
     Do(std::string("key ") + key + "\nwait trace");
-    const Frame& frame = viewer_->Pictures().ShownLive()->frame();
+    const Frame& frame = viewer_->Traced().ShownLive()->frame();
     const DrawingSize view = viewer_->Show().view;
     EXPECT_EQ(frame.Width(), view.width) << key;
     EXPECT_EQ(frame.Height(), view.height) << key;
@@ -595,7 +595,7 @@ TEST_F(PanelTest, LeaveTheCutBesideThem) {
   EXPECT_NEAR(shown.view.width, shown.section_size.width, 1);
 }
 
-// The press went to the picture and its release to panels that had come up meanwhile: the view kept flying, and S with
+// The press went to the image and its release to panels that had come up meanwhile: the view kept flying, and S with
 // it.
 TEST_F(PanelTest, ADragThatPanelsComeUpInStillEnds) {
   Do("key Tab\ndown left 500 256\nkey Tab\ndown right 20 20\nkey Tab\nup right 20 20\nkey S\nwait trace");

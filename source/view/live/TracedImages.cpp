@@ -1,4 +1,4 @@
-#include "source/view/live/TracedPictures.h"
+#include "source/view/live/TracedImages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr double seconds_of_rest = 0.15;            // a hand that pauses for lo
 constexpr double seconds_of_fading = 0.12;
 constexpr int least_places = 4;  // of a block of 64 pixels, below which the preview shows more
 
-/// The settings of a live picture in its mode.
+/// The settings of a live image in its mode.
 RenderSettings ForLive(RenderSettings settings, bool is_layer, bool budget_of_rest) {
   const bool is_surface = settings.mode == RenderMode::depth || settings.mode == RenderMode::id;
   if (is_surface && is_layer) settings.samples = 1;  // means over an edge would be of nothing that is there
@@ -28,26 +28,26 @@ RenderSettings ForLive(RenderSettings settings, bool is_layer, bool budget_of_re
   if (!is_estimate) settings.budget = {};
   // A grid's samples are laid out for their number.
   const bool takes_more = is_estimate && !is_layer && !IsGrid(settings.trace.sampler);
-  if (budget_of_rest && takes_more && !settings.budget.IsOpen()) settings.samples = TracedPictures::samples_at_rest;
+  if (budget_of_rest && takes_more && !settings.budget.IsOpen()) settings.samples = TracedImages::samples_at_rest;
   return settings;
 }
 
 }  // namespace
 
-void TracedPictures::StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings,
-                                bool continues) {
+void TracedImages::StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings,
+                              bool continues) {
   trace_.Start(std::move(scene), settings, RenderJob::Order::rows, 1, continues ? Trace()->Canceled() : std::nullopt);
   trace_number_ = ++jobs_;
   has_reported_end_ = false;
 }
 
-bool TracedPictures::StopTrace() {
+bool TracedImages::StopTrace() {
   if (!IsTracing()) return false;
   trace_.Current()->Cancel();
   return true;
 }
 
-const RenderJob* TracedPictures::TakeEnded() {
+const RenderJob* TracedImages::TakeEnded() {
   trace_.Collect();
   live_.Collect();
   depths_.Collect();
@@ -56,39 +56,39 @@ const RenderJob* TracedPictures::TakeEnded() {
   return Trace();
 }
 
-void TracedPictures::ShowLive(std::optional<RenderMode> mode) {
+void TracedImages::ShowLive(std::optional<RenderMode> mode) {
   is_wanted_ = is_live_ = is_due_ = true;
   moves_ = false;
   mode_ = mode;
 }
 
-void TracedPictures::HideLive() {
+void TracedImages::HideLive() {
   Suspend();
   is_wanted_ = false;
   mode_.reset();
 }
 
-void TracedPictures::Suspend() {
+void TracedImages::Suspend() {
   is_live_ = is_due_ = false;
   live_.Abandon();
   live_.ForgetLast();
   depths_.Abandon();
 }
 
-void TracedPictures::Touch() {
+void TracedImages::Touch() {
   is_live_ = is_live_ || is_wanted_;
   is_due_ = true;
   moves_ = false;
 }
 
-void TracedPictures::TouchView() {
+void TracedImages::TouchView() {
   is_live_ = is_live_ || is_wanted_;
   moves_ = is_due_ ? moves_ : true;
   is_due_ = true;
   moved_at_ = Clock::now();
 }
 
-bool TracedPictures::StopLive() {
+bool TracedImages::StopLive() {
   if (!is_live_) return false;
   if (!is_due_ && (!Live() || Live()->HasEnded())) return false;
   is_due_ = false;
@@ -97,23 +97,23 @@ bool TracedPictures::StopLive() {
   return true;
 }
 
-const RenderJob* TracedPictures::TakeEndedLive() {
+const RenderJob* TracedImages::TakeEndedLive() {
   if (has_reported_live_end_ || is_due_ || !Live() || !Live()->HasEnded()) return nullptr;
   has_reported_live_end_ = true;
   return Live();
 }
 
-bool TracedPictures::Moves() const {
+bool TracedImages::Moves() const {
   return moves_ && std::chrono::duration<double>(Clock::now() - moved_at_).count() < seconds_of_rest;
 }
 
-bool TracedPictures::TracesInMotion(const RenderSettings& settings) const {
+bool TracedImages::TracesInMotion(const RenderSettings& settings) const {
   const auto pixels = static_cast<std::int64_t>(settings.width) * settings.height;
   return PlacesWithin(seconds_of_motion, pixels, pixels_per_second_) >= least_places;
 }
 
-void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings,
-                            bool budget_of_rest) {
+void TracedImages::Update(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings,
+                          bool budget_of_rest) {
   if (Live() && Live()->PixelsPerSecond() > 0) pixels_per_second_ = Live()->PixelsPerSecond();
   const bool is_shown = ShownLive() != nullptr;
   if (is_shown && !was_shown_) shown_since_ = Clock::now();
@@ -136,20 +136,20 @@ void TracedPictures::Update(const std::shared_ptr<const LoadedScene>& scene, con
   if (moves_ && !TracesInMotion(settings)) live_.ForgetLast();  // of a view that is far by now
 }
 
-void TracedPictures::StartLive(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings,
-                               int first_places, std::optional<RenderJob::Stopped> before) {
+void TracedImages::StartLive(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings,
+                             int first_places, std::optional<RenderJob::Stopped> before) {
   live_.Start(scene, settings, RenderJob::Order::coarse_first, first_places, std::move(before));
   live_number_ = ++jobs_;
   has_reported_live_end_ = false;
 }
 
-void TracedPictures::ResumeLive() {
+void TracedImages::ResumeLive() {
   if (!IsPaused()) return;
   const RenderJob& job = *Live();
   StartLive(job.SharedScene(), job.Settings(), BlockOrder::places, job.Canceled());
 }
 
-void TracedPictures::TraceDepths() {
+void TracedImages::TraceDepths() {
   if (Moves() || !ShownLive() || ShownLive() != Live() || depths_of_ == live_number_) return;
   depths_of_ = live_number_;
   RenderSettings settings = Live()->Settings();
@@ -162,12 +162,12 @@ void TracedPictures::TraceDepths() {
   depths_number_ = ++jobs_;
 }
 
-const RenderJob* TracedPictures::Depths() const {
+const RenderJob* TracedImages::Depths() const {
   const RenderJob* depths = depths_.Current();
   return depths_of_ == live_number_ && depths && depths->IsComplete() ? depths : nullptr;
 }
 
-const RenderJob* TracedPictures::ShownLive() const {
+const RenderJob* TracedImages::ShownLive() const {
   if (!is_live_ || !Live()) return nullptr;
   const bool is_waiting = is_due_ && moves_;  // for rest
   if (is_waiting && !TracesInMotion(Live()->Settings())) return nullptr;
@@ -178,32 +178,32 @@ const RenderJob* TracedPictures::ShownLive() const {
   return is_alike ? last : nullptr;
 }
 
-double TracedPictures::Opacity() const {
+double TracedImages::Opacity() const {
   return std::min(1.0, std::chrono::duration<double>(Clock::now() - shown_since_).count() / seconds_of_fading);
 }
 
-bool TracedPictures::IsBusy() const {
+bool TracedImages::IsBusy() const {
   const RenderJob* depths = depths_.Current();
   return IsTracing() || (is_live_ && is_due_) || (Live() && !Live()->HasEnded()) || (depths && !depths->HasEnded()) ||
          (ShownLive() && Opacity() < 1);
 }
 
-std::shared_ptr<const R2::Image> TracedPictures::Current() const {
+std::shared_ptr<const R2::Image> TracedImages::Current() const {
   return Job() ? std::make_shared<const R2::Image>(Job()->frame().Image()) : nullptr;
 }
 
-void TracedPictures::SetReference(ReferenceImage reference) {
+void TracedImages::SetReference(ReferenceImage reference) {
   reference_ = std::move(reference);
   reference_light_ = reference_.AsLight(encoding_);
 }
 
-void TracedPictures::SetEncoding(const ByteEncoding& encoding) {
+void TracedImages::SetEncoding(const ByteEncoding& encoding) {
   if (encoding == encoding_) return;
   encoding_ = encoding;
   reference_light_ = reference_.AsLight(encoding_);
 }
 
-std::string TracedPictures::Comparison() const {
+std::string TracedImages::Comparison() const {
   const auto current = Current();
   if (!reference_) return "no reference yet; press R to keep the rendered image as one";
   if (!current) return "nothing is rendered yet; press S or P first";
@@ -217,7 +217,7 @@ std::string TracedPictures::Comparison() const {
          " / 255";
 }
 
-std::string TracedPictures::EncodedComparison(const R2::Image& current) const {
+std::string TracedImages::EncodedComparison(const R2::Image& current) const {
   const R2::Difference difference = R2::Compare(current, *reference_.image, R2::Display::straight);
   const std::int64_t different = R2::PixelsBeyond(current, *reference_.image, 0.5 / reference_.levels);
   const double bytes = 255;
@@ -228,7 +228,7 @@ std::string TracedPictures::EncodedComparison(const R2::Image& current) const {
                                Rounded(bytes * difference.largest.value, 4) + " / 255");
 }
 
-std::shared_ptr<const R2::Image> TracedPictures::Compared() const {
+std::shared_ptr<const R2::Image> TracedImages::Compared() const {
   if (comparing_ == Comparing::no || !reference_) return nullptr;
   if (comparing_ == Comparing::reference) return reference_light_;
   if (ShowsFalseColors()) return InFalseColors().image;
@@ -245,7 +245,7 @@ std::shared_ptr<const R2::Image> TracedPictures::Compared() const {
   return difference;
 }
 
-const TracedPictures::FalseColors& TracedPictures::InFalseColors() const {
+const TracedImages::FalseColors& TracedImages::InFalseColors() const {
   FalseColors now;
   if (const RenderJob* job = Job()) {
     now.number = JobNumber();
@@ -276,7 +276,7 @@ const TracedPictures::FalseColors& TracedPictures::InFalseColors() const {
   return known;
 }
 
-std::string TracedPictures::ScaleOfComparison() const {
+std::string TracedImages::ScaleOfComparison() const {
   if (!reference_ || (!ShowsFalseColors() && comparing_ != Comparing::difference)) return {};
   const FalseColors& shown = InFalseColors();
   if (!shown.image) return {};

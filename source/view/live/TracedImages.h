@@ -11,9 +11,9 @@
 
 namespace ray {
 
-/// The pictures a viewer renders: the one of key S, row by row; and the live one, which starts over with every move.
+/// The images a viewer renders: the one of key S, row by row; and the live one, which starts over with every move.
 /// Either may be compared with a reference.
-class TracedPictures {
+class TracedImages {
  public:
   /// reference     the reference itself
   /// difference    |x - r|, channel by channel
@@ -21,62 +21,62 @@ class TracedPictures {
   /// flip          how different both look, from black (0) to white (1); R2::Flip
   enum class Comparing { no, reference, difference, false_colors, flip };
 
-  // The picture of key S.
+  // The image of key S.
   /// `continues`: where the last one of the same scene and settings was stopped; CanContinue.
   void StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, bool continues = false);
-  /// Whether the picture was stopped with samples.
+  /// Returns true if the image was stopped with samples.
   bool CanContinue() const { return Trace() && Trace()->Canceled(); }
-  /// Whether one was running. What it has so far stays.
+  /// Stops it, and returns true if one was running. What it has so far stays.
   bool StopTrace();
   const RenderJob* Trace() const { return trace_.Current(); }
   bool IsTracing() const { return Trace() && !Trace()->HasEnded(); }
-  /// Whether it is being traced, or has ended without having been taken.
+  /// Returns true if it is being traced, or has ended without having been taken.
   bool IsUnsaved() const { return Trace() && !has_reported_end_; }
   /// The trace, once, when it has ended since the last call.
   const RenderJob* TakeEnded();
   void ForgetTrace() { trace_.Abandon(); }
 
-  // The live picture: what the view shows while it rests, and while it moves where tracing is fast enough for that.
+  // The live image: what the view shows while it rests, and while it moves where tracing is fast enough for that.
   /// `mode`: what to show instead of the settings' own; nothing for that.
   void ShowLive(std::optional<RenderMode> mode);
   void HideLive();
-  /// Until the view or the scene changes, the picture of key S is shown instead.
+  /// Until the view or the scene changes, the image of key S is shown instead.
   void Suspend();
   bool IsLive() const { return is_live_; }
   std::optional<RenderMode> LiveMode() const { return mode_; }
-  /// Something has changed that the live picture shows: it starts over with the next Update.
+  /// Something has changed that the live image shows: it starts over with the next Update.
   void Touch();
   /// The view has moved.
   void TouchView();
-  /// What there is to be seen of the live picture: it, or while it has nothing yet, that of a moment ago; null where
+  /// Returns the live image to be shown: it, or while it has nothing yet, that of a moment ago; null where
   /// the preview is to be seen.
   const RenderJob* ShownLive() const;
   std::uint64_t ShownLiveNumber() const { return ShownLive() == Live() ? live_number_ : last_number_; }
   /// The opacity of ShownLive over the preview, in [0, 1]: it comes within a moment.
   double Opacity() const;
-  /// Starts the live picture if it is due: at once where tracing is fast, else once the view rests. `budget_of_rest`:
+  /// Starts the live image if it is due: at once where tracing is fast, else once the view rests. `budget_of_rest`:
   /// the settings have no budget of their own, so that samples_at_rest are taken where what is shown gains by them.
   void Update(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings,
               bool budget_of_rest = false);
   static constexpr int samples_at_rest = 64;
-  /// Whether the live picture was stopped, and has more to come.
+  /// Returns true if the live image was stopped, and has more to come.
   bool IsPaused() const { return is_live_ && !is_due_ && Live() && Live()->HasEnded() && Live()->Canceled(); }
   /// Continues it where it was stopped.
   void ResumeLive();
 
-  // Distances of what the live picture shows, so that lines in space are hidden behind it.
-  /// Starts them for the picture that is shown, unless there are some; a moving view goes without.
+  // Distances of what the live image shows, so that lines in space are hidden behind it.
+  /// Starts them for the image that is shown, unless there are some; a moving view goes without.
   void TraceDepths();
   /// Their job once it is complete; null before, and for another view.
   const RenderJob* Depths() const;
   std::uint64_t DepthsNumber() const { return depths_number_; }
 
-  /// Whether the live picture was still growing. What it has so far stays until it starts over.
+  /// Stops it, and returns true if it was still growing. What it has so far stays until it starts over.
   bool StopLive();
-  /// The live picture, once, when it has ended by itself since the last call.
+  /// The live image, once, when it has ended by itself since the last call.
   const RenderJob* TakeEndedLive();
   const RenderJob* Live() const { return live_.Current(); }
-  /// The live picture, or that of key S where it is not shown; null where there is none. With its number.
+  /// The live image, or that of key S where it is not shown; null where there is none. With its number.
   const RenderJob* Job() const { return is_live_ && Live() ? Live() : Trace(); }
   std::uint64_t JobNumber() const { return Job() == Trace() ? trace_number_ : live_number_; }
   bool IsBusy() const;
@@ -85,23 +85,23 @@ class TracedPictures {
 
   // Comparing.
   void SetReference(ReferenceImage reference);
-  /// How files of bytes hold light: a reference that is one is compared with what they would hold.
+  /// Sets the encoding of files of bytes: a reference of bytes is compared with what such a file would hold.
   void SetEncoding(const ByteEncoding& encoding);
   /// The reference as light; null without one.
   const std::shared_ptr<const R2::Image>& Reference() const { return reference_light_; }
-  /// What is compared: the live picture where it is shown, else the trace, as far as they are; null without one.
+  /// Returns the image to be compared: the live one if it is shown, else the trace, so far; null if there is none.
   std::shared_ptr<const R2::Image> Current() const;
   void Compare(Comparing how) { comparing_ = how; }
   Comparing HowCompared() const { return comparing_; }
   /// The RMSE against the reference, or why they cannot be compared, in words.
   std::string Comparison() const;
-  /// The image shown instead of the current picture while comparing; null when none is.
+  /// The image shown instead of the current image while comparing; null when none is.
   std::shared_ptr<const R2::Image> Compared() const;
   /// Returns the scale of false colors, or that the image equals the reference; empty if neither is to be said.
   std::string ScaleOfComparison() const;
-  /// Whether Compared has colors that stand for numbers.
+  /// Returns true if Compared has colors that stand for numbers.
   bool ShowsFalseColors() const { return comparing_ == Comparing::false_colors || comparing_ == Comparing::flip; }
-  /// Whether Compared is a difference of values that are encoded already.
+  /// Returns true if Compared is a difference of values that are already encoded.
   bool ShowsEncodedDifference() const { return comparing_ == Comparing::difference && !reference_.IsLight(); }
 
  private:
@@ -119,23 +119,23 @@ class TracedPictures {
 
   using Clock = std::chrono::steady_clock;
 
-  /// Whether the view moved a moment ago.
+  /// Returns true if the view moved a moment ago.
   bool Moves() const;
-  /// Whether a moving view is traced: enough of its pixels within the time that eyes take for motion.
+  /// Returns true if a moving view is traced: enough of its pixels within the time that eyes take for motion.
   bool TracesInMotion(const RenderSettings& settings) const;
   void StartLive(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings, int first_places,
                  std::optional<RenderJob::Stopped> before = {});
 
   JobQueue trace_, live_, depths_;
   bool has_reported_end_ = true, has_reported_live_end_ = true;
-  bool is_wanted_ = false;  // the live picture, once something changes
+  bool is_wanted_ = false;  // the live image, once something changes
   bool is_live_ = false, is_due_ = false, moves_ = false;
   Clock::time_point moved_at_{}, shown_since_{};
   bool was_shown_ = false;
   std::optional<RenderMode> mode_;
   std::uint64_t jobs_ = 0, trace_number_ = 0, live_number_ = 0, last_number_ = 0;
-  std::uint64_t depths_number_ = 0, depths_of_ = 0;  // the latter the number of the live picture that has these
-  double pixels_per_second_ = 0;  // of the live picture's last pass
+  std::uint64_t depths_number_ = 0, depths_of_ = 0;  // the latter the number of the live image that has these
+  double pixels_per_second_ = 0;                     // of the live image's last pass
   ReferenceImage reference_;
   std::shared_ptr<const R2::Image> reference_light_;
   ByteEncoding encoding_;

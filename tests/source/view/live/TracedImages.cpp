@@ -1,4 +1,4 @@
-#include "source/view/live/TracedPictures.h"
+#include "source/view/live/TracedImages.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 namespace ray {
 namespace {
 
-TEST_F(ViewerTest, KeySTracesThePictureThatRayproMakes) {
+TEST_F(ViewerTest, KeySTracesTheImageThatRayproMakes) {
   Do("key S\nwait trace");
   ASSERT_EQ(host_.traced.size(), 1u);
   EXPECT_FALSE(host_.traced_settings[0].view) << "the scene's own view needs no mention";
@@ -46,57 +46,57 @@ TEST_F(ViewerTest, AMovedViewTracesLikeItsPrintedCamera) {
   EXPECT_EQ(host_.traced[0], project::Render(stage, settings).image);
 }
 
-TEST_F(ViewerTest, TheLivePictureEndsAsRayproMakesIt) {
+TEST_F(ViewerTest, TheLiveImageEndsAsRayproMakesIt) {
   RenderSettings four;
   four.samples = 4;
   Open(project::Root() / "scenes/hello.scn", four);
   Do("key P\nwait trace");
-  ASSERT_TRUE(viewer_->Pictures().Live());
-  ASSERT_TRUE(viewer_->Pictures().Live()->IsComplete());
-  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->state().SettingsOfView()));
-  const std::uint64_t number = viewer_->Pictures().JobNumber();
+  ASSERT_TRUE(viewer_->Traced().Live());
+  ASSERT_TRUE(viewer_->Traced().Live()->IsComplete());
+  EXPECT_EQ(viewer_->Traced().Live()->Result()->image, Rendered(viewer_->state().SettingsOfView()));
+  const std::uint64_t number = viewer_->Traced().JobNumber();
   Do("key Control+Up");
-  EXPECT_EQ(viewer_->Pictures().JobNumber(), number) << "exposure does not begin the picture anew";
+  EXPECT_EQ(viewer_->Traced().JobNumber(), number) << "exposure does not begin the picture anew";
   Do("key [");
-  EXPECT_EQ(viewer_->Pictures().JobNumber(), number + 1) << "a move does, once";
+  EXPECT_EQ(viewer_->Traced().JobNumber(), number + 1) << "a move does, once";
   Do("wait trace");
-  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(viewer_->state().SettingsOfView()));
+  EXPECT_EQ(viewer_->Traced().Live()->Result()->image, Rendered(viewer_->state().SettingsOfView()));
 }
 
 TEST_F(ViewerTest, WithoutSamplesAskedForTheTracedImageHasThoseOfAViewAtRest) {
   Open(project::Root() / "scenes/cornell.scn", {}, true);
   Do("key P");
   EXPECT_EQ(viewer_->Message(), "traced, mode whitted");
-  while (viewer_->Pictures().Live()->Samples() < 1) std::this_thread::yield();
+  while (viewer_->Traced().Live()->Samples() < 1) std::this_thread::yield();
   viewer_->Update();
   EXPECT_NE(viewer_->Title().find(" of 64 samples "), std::string::npos) << viewer_->Title();
   Do("key Escape");
   WaitUntilIdle();
   EXPECT_NE(viewer_->Title().find(" stopped "), std::string::npos) << viewer_->Title();
-  EXPECT_TRUE(viewer_->Pictures().IsLive()) << "what there is stays";
+  EXPECT_TRUE(viewer_->Traced().IsLive()) << "what there is stays";
   Do("key P");
   EXPECT_EQ(viewer_->Message(), "tracing continues");
   WaitUntilIdle();
-  ASSERT_TRUE(viewer_->Pictures().Live()->IsComplete());
+  ASSERT_TRUE(viewer_->Traced().Live()->IsComplete());
   RenderSettings all = viewer_->state().SettingsOfView();
   all.samples = 64;
-  EXPECT_EQ(viewer_->Pictures().Live()->Result()->image, Rendered(all)) << "as if it had never been paused";
+  EXPECT_EQ(viewer_->Traced().Live()->Result()->image, Rendered(all)) << "as if it had never been paused";
   Do("key [");
   EXPECT_TRUE(viewer_->IsBusy()) << "a move begins it anew";
   // Its samples would not be better by being more.
   for (const char* key : {"key F7", "key F10", "key F11", "key F12"}) {
     Do(key + std::string("\nwait trace"));
-    EXPECT_TRUE(viewer_->Pictures().Live()->IsComplete()) << key;
-    EXPECT_EQ(viewer_->Pictures().Live()->Samples(), 1) << key;
+    EXPECT_TRUE(viewer_->Traced().Live()->IsComplete()) << key;
+    EXPECT_EQ(viewer_->Traced().Live()->Samples(), 1) << key;
   }
 }
 
-TEST_F(ViewerTest, ALivePictureWithAnErrorEndsWithItsClaim) {
+TEST_F(ViewerTest, ALiveImageWithAnErrorEndsWithItsClaim) {
   RenderSettings settings;
   settings.budget.error = {4, ErrorUnit::display};
   Open(project::Root() / "scenes/hello.scn", settings, true);
   Do("key P\nwait trace");
-  const RenderResult* result = viewer_->Pictures().Live()->Result();
+  const RenderResult* result = viewer_->Traced().Live()->Result();
   ASSERT_TRUE(result && result->error);
   EXPECT_EQ(result->stop, Stop::error);
   EXPECT_EQ(result->image, Rendered(viewer_->state().SettingsOfView()));
@@ -139,22 +139,22 @@ TEST_F(ViewerTest, TheTitleChangesOnlyWithPassesAndTime) {
   }
 }
 
-TEST_F(ViewerTest, ComparingTellsTheDifferenceOfThePictures) {
+TEST_F(ViewerTest, ComparingShowsTheDifferenceOfTheImages) {
   Do("key P\nwait trace\nkey R\nkey [\nwait trace\nkey D");
-  const auto current = viewer_->Pictures().Current();
-  const R2::Difference difference = R2::Compare(*current, *viewer_->Pictures().Reference(), R2::Display::straight);
+  const auto current = viewer_->Traced().Current();
+  const R2::Difference difference = R2::Compare(*current, *viewer_->Traced().Reference(), R2::Display::straight);
   EXPECT_GT(difference.rmse, 0);
   EXPECT_NE(viewer_->Message().find("display RMSE"), std::string::npos);
   const FrameState shown = viewer_->Show();
   ASSERT_TRUE(shown.covering && shown.covering->image);
   EXPECT_NEAR(shown.covering->image->At(10, 10).r,
-              std::abs(current->At(10, 10).r - viewer_->Pictures().Reference()->At(10, 10).r), 1e-6);
+              std::abs(current->At(10, 10).r - viewer_->Traced().Reference()->At(10, 10).r), 1e-6);
 }
 
 // Most differences are too dark to be seen as they are.
 TEST_F(ViewerTest, FalseColorsRunFromNoDifferenceToTheLargest) {
   Do("key P\nwait trace\nkey R\nkey [\nwait trace\nkey Shift+D");
-  const auto current = viewer_->Pictures().Current(), reference = viewer_->Pictures().Reference();
+  const auto current = viewer_->Traced().Current(), reference = viewer_->Traced().Reference();
   const R2::Plane numbers = R2::DisplayDifference(*current, *reference, R2::Display::straight);
   const float largest = *std::ranges::max_element(numbers.values);
   const auto shown = viewer_->Show().covering->image;
@@ -166,16 +166,16 @@ TEST_F(ViewerTest, FalseColorsRunFromNoDifferenceToTheLargest) {
       brightest = std::max(brightest, Luminance(shown->At(x, y)));
     }
   EXPECT_NEAR(brightest, 1, 2e-3);
-  EXPECT_NE(viewer_->Pictures().ScaleOfComparison().find(Rounded(255 * static_cast<double>(largest), 3)),
+  EXPECT_NE(viewer_->Traced().ScaleOfComparison().find(Rounded(255 * static_cast<double>(largest), 3)),
             std::string::npos);
   Do("key Control+Up");
   EXPECT_EQ(viewer_->Show().covering->exposure.factor, 1) << "it changes light, not what stands for a number";
   Do("key Shift+D");
   const double mean = R2::Mean(
       R2::Flip(R2::Displayed(*current, R2::Display::straight), R2::Displayed(*reference, R2::Display::straight)));
-  EXPECT_NE(viewer_->Pictures().ScaleOfComparison().find("mean " + Rounded(mean, 3)), std::string::npos);
+  EXPECT_NE(viewer_->Traced().ScaleOfComparison().find("mean " + Rounded(mean, 3)), std::string::npos);
   Do("key R");  // now the image is its own reference
-  EXPECT_EQ(viewer_->Pictures().ScaleOfComparison(), "the image equals the reference");
+  EXPECT_EQ(viewer_->Traced().ScaleOfComparison(), "the image equals the reference");
 }
 
 // An equal pair was an all-black image without a word.
@@ -213,7 +213,7 @@ TEST_F(ViewerTest, AnImageDoesNotDifferFromItsOwnFile) {
     render.srgb = srgb;
     Open(project::Root() / "scenes/hello.scn", render);
     Do("key P\nwait trace");
-    const auto light = viewer_->Pictures().Current();
+    const auto light = viewer_->Traced().Current();
     R2::Image bytes(width, height);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
@@ -242,15 +242,15 @@ TEST_F(ViewerTest, ARenderThatWasStoppedGoesOnWhereItWas) {
   Open(project::Root() / "scenes/hello.scn", slow);
   const auto stop_after_some_rows = [&] {
     Do("key S");
-    while (viewer_->Pictures().Trace()->RowsDone() < 5) std::this_thread::yield();
+    while (viewer_->Traced().Trace()->RowsDone() < 5) std::this_thread::yield();
     Do("key Escape\nwait trace");
   };
   stop_after_some_rows();
   ASSERT_EQ(StateLine("trace"), "stopped");
   EXPECT_NE(viewer_->Message().find("S continues it"), std::string::npos) << viewer_->Message();
-  const int done = viewer_->Pictures().Trace()->RowsDone();
+  const int done = viewer_->Traced().Trace()->RowsDone();
   stop_after_some_rows();
-  EXPECT_GE(viewer_->Pictures().Trace()->RowsDone(), done);
+  EXPECT_GE(viewer_->Traced().Trace()->RowsDone(), done);
   Do("key S\nwait trace");
   ASSERT_EQ(host_.traced.size(), 1u);
   const R2::Image whole = Rendered(host_.traced_settings[0]);
@@ -272,10 +272,10 @@ TEST_F(ViewerTest, ALiveImageStaysTracedInMotion) {
   }
   Do("up left 60 20\nwait trace");
   EXPECT_EQ(StateLine("trace"), "none");
-  const R2::Image whole = Rendered(viewer_->Pictures().Live()->Settings());
-  EXPECT_EQ(R2::PixelsBeyond(*viewer_->Pictures().Current(), whole, 0), 0) << "in the end it is of the view at rest";
+  const R2::Image whole = Rendered(viewer_->Traced().Live()->Settings());
+  EXPECT_EQ(R2::PixelsBeyond(*viewer_->Traced().Current(), whole, 0), 0) << "in the end it is of the view at rest";
   Do("resize 80 60");
-  EXPECT_FALSE(viewer_->Show().covering && viewer_->Pictures().Live()->Places() == 0) << "no other size is shown";
+  EXPECT_FALSE(viewer_->Show().covering && viewer_->Traced().Live()->Places() == 0) << "no other size is shown";
 }
 
 TEST_F(ViewerTest, IsNotBusyWhereNothingIsRendered) {
@@ -286,7 +286,7 @@ TEST_F(ViewerTest, IsNotBusyWhereNothingIsRendered) {
 
 TEST_F(ViewerTest, ShiftRShowsTheReferenceWhileItIsHeld) {
   Do("key P\nwait trace\nkey R\nkey [\nwait trace\npress Shift+R");
-  EXPECT_EQ(viewer_->Show().covering->image, viewer_->Pictures().Reference());
+  EXPECT_EQ(viewer_->Show().covering->image, viewer_->Traced().Reference());
   Do("release Shift+R");
   EXPECT_FALSE(viewer_->Show().covering->image);
 }
@@ -296,7 +296,7 @@ TEST_F(ViewerTest, RowsOfTheQuadAreThoseOfTheRender) {
   slow.samples = 64;
   Open(project::Root() / "scenes/hello.scn", slow);
   Do("key S");
-  const RenderJob& job = *viewer_->Pictures().Trace();
+  const RenderJob& job = *viewer_->Traced().Trace();
   const R2::Image whole = Rendered(job.Settings());
   while (!job.HasEnded()) {
     const FrameState shown = viewer_->Show();
@@ -311,7 +311,7 @@ TEST_F(ViewerTest, RowsOfTheQuadAreThoseOfTheRender) {
 
 TEST_F(ViewerTest, AClickOnTheTracedQuadDebugsItsPixel) {
   Do("key S\nwait trace\nclick right 40.5 10.5");
-  // From the traced camera itself, the quad covers the picture pixel by pixel, unless something is before it.
+  // From the traced camera itself, the quad covers the image pixel by pixel, unless something is before it.
   EXPECT_EQ(StateLine("pixel"), "40 10");
   EXPECT_FALSE(viewer_->Rays().PixelSettings().view);
 }
