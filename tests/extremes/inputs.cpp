@@ -132,7 +132,7 @@ TEST(Extremes, D13_HugeTextureCoordinatesWrapAndNonFiniteOnesAreZero) {
 TEST(Extremes, K12_ASceneSetsNothingThatReadsWritesOrRunsAnything) {
   for (const OptionKind& option : OptionTable(Program::raypro)) {
     const std::string topic = option.topic;
-    const bool is_of_image = topic == "picture" || topic == "light" || topic == "view";
+    const bool is_of_image = topic == "image" || topic == "light" || topic == "view";
     const bool names_files = std::holds_alternative<FileName>(option.value) ||
                              std::holds_alternative<FileList>(option.value) ||
                              std::holds_alternative<Repeated>(option.value) || !IsSetting(option);
