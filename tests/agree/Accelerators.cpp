@@ -1,4 +1,4 @@
-// Whatever the scene and the ray: every accelerator, in every variation and on every instruction set, finds what
+// For any scene and ray, every accelerator, in every variation and on every instruction set, finds the hits that
 // testing every primitive finds.
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(Accelerators, AgreeInRandomSoupsOfTriangles) {
   }
 }
 
-/// Rays past a sphere within some ulps of a tangent, from near and far and from inside, and along its surface.
+/// Returns rays past a sphere within some ulps of a tangent, from near and far and from inside, and along its surface.
 std::vector<R3::Ray> RaysGrazing(const R3::Point& center, double radius, Draw& draw) {
   std::vector<R3::Ray> rays;
   for (int i = 0; i < 4; ++i) {
@@ -98,7 +98,7 @@ TEST(Accelerators, AgreeAboutSpheresOfAnySizeThatRaysGraze) {
   }
 }
 
-// Below 1e-140 and above 1e100 the products of a triangle test itself leave the range of doubles.
+// Below 1e-140 and above 1e100 the products of a triangle test leave the range of doubles.
 TEST(Accelerators, AgreeAtTheEndsOfTheRangeOfNumbers) {
   Draw draw(955);
   for (const double size : {1e-100, 1e-30, 1.0, 1e30, 1e100}) {
@@ -171,10 +171,10 @@ TEST(Extremes, C6_BadRaysHitNothingAndAreCounted) {
   }
 }
 
-TEST(Extremes, C6_BadRaysHitNothingAndDisturbNoOthers) {
+TEST(Extremes, C6_BadRaysHitNothingAndAffectNoOthers) {
   ray::Scene scene;
   scene.root.children.push_back(Leaf(std::make_shared<R3::Mesh>(accelerators::BumpyBall(8, 6))));
-  scene.root.children.push_back(Leaf(R3::MakeShape("plane", {0, -3, 0, 0, 1, 0})));  // which no box holds
+  scene.root.children.push_back(Leaf(R3::MakeShape("plane", {0, -3, 0, 0, 1, 0})));  // which no box contains
   SetBounds(scene.root);
   const ray::World world(scene);
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = R3::infinity;
@@ -302,7 +302,7 @@ TEST(Extremes, A11_InstancesEqualCopiesButShareOneMesh) {
     EXPECT_LE(ray::FindAcceleratorKind(kind)->Make(many_world, {})->Bytes(), 200u * 20'000u) << kind;
 }
 
-TEST(Extremes, D7_AmongThingsInTheSamePlaceTheFirstWins) {
+TEST(Extremes, D7_OfCoincidentShapesTheFirstWins) {
   Draw draw(995);
   ray::Scene scene;
   R3::MeshData copies;
@@ -320,7 +320,7 @@ TEST(Extremes, D7_AmongThingsInTheSamePlaceTheFirstWins) {
 TEST(Extremes, D7_H2_AMillionNearDuplicatesBuildInBoundedTimeAndMemory) {
   const int count = Count(100'000, 1'000'000);
   ray::Scene scene;
-  // One box for all, as structures of floats see them; no two are the same.
+  // One box for all in single precision; no two are equal.
   for (int i = 0; i < count; ++i)
     scene.root.children.push_back(Leaf(R3::MakeShape("sphere", {0, 0, -3, 1 - 0x1p-52 * i})));
   scene.root.children.resize(static_cast<std::size_t>(count) + 1000);  // and empty nodes
@@ -339,7 +339,7 @@ TEST(Extremes, D7_H2_AMillionNearDuplicatesBuildInBoundedTimeAndMemory) {
   }
 }
 
-// Ten million triangles by night.
+// Ten million triangles in nightly tests.
 TEST(Extremes, D10_AHugeMeshTakesBoundedMemoryAndIsHit) {
   const int sides = Count(400, 2240);
   ray::Scene scene;
@@ -358,8 +358,8 @@ TEST(Extremes, D10_AHugeMeshTakesBoundedMemoryAndIsHit) {
   }
 }
 
-// Each of 100,000 spheres was asked by each ray once: a minute for the smallest picture.
-TEST(Extremes, D7_ARayAsksOneOfManyThatAreTheSame) {
+// Each ray once tested each of 100,000 spheres: a minute for the smallest image.
+TEST(Extremes, D7_ARayTestsOneOfManyEqualShapes) {
   const R3::Matrix aside{{{{1, 0, 0, 5}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
   ray::Scene scene;
   const auto add = [&](const char* kind, const std::vector<double>& numbers, bool is_aside) {
@@ -374,7 +374,7 @@ TEST(Extremes, D7_ARayAsksOneOfManyThatAreTheSame) {
   for (int i = 0; i < each; ++i) {
     add("sphere", {0, 0, 0, 1}, false);
     add("sphere", {0, 0, 0, 1}, true);
-    add("box", {-1, -1, -1, 1, 1, 1}, false);  // in the same box as the sphere, and not the same
+    add("box", {-1, -1, -1, 1, 1, 1}, false);  // in the same box as the sphere, but different
     add("plane", {0, -3, 0, 0, 1, 0}, false);
   }
   SetBounds(scene.root);
@@ -394,8 +394,8 @@ TEST(Extremes, D7_ARayAsksOneOfManyThatAreTheSame) {
   }
 }
 
-// What differs in the last bit, moves in another way, or is another material's behind, is still there.
-TEST(Extremes, D7_WhatIsAlmostTheSameIsAsked) {
+// Shapes that differ in the last bit, in motion or in material are still separate.
+TEST(Extremes, D7_AlmostEqualShapesAreTested) {
   ray::Scene scene;
   const auto add_at = [&](double shift, const R3::Vector& motion, double radius) {
     ray::Node group = Group(R3::Matrix{{{{1, 0, 0, shift}, {0, 1, 0, 0}, {0, 0, 1, 0}}}});

@@ -1,4 +1,4 @@
-// A scene of any course is the same picture, bit by bit, from every accelerator, number of threads and size of tiles.
+// A scene of any course gives the same image, bit for bit, with every accelerator, number of threads and tile size.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace {
 
 using Paths = std::vector<std::filesystem::path>;
 
-/// Files below a folder that the readers of other courses know by their extension; none where the folder is absent.
+/// Returns files in a folder that the readers of other courses recognize by their extension; empty if the folder is
+/// missing.
 Paths CourseScenesBelow(const std::filesystem::path& folder) {
   const std::set<std::string> extensions{".yaml", ".yml", ".json", ".txt"};
   Paths found;
@@ -24,7 +25,7 @@ Paths CourseScenesBelow(const std::filesystem::path& folder) {
   return found;
 }
 
-/// The settings that the scene asks for, of a small picture.
+/// Returns the settings of the scene for a small image.
 ray::RenderSettings Small(const ray::Scene& scene) {
   ray::RenderOptions asked = ray::ReadCommandLine(
       ray::Program::raypro, std::vector<std::string>{"a.scn", "b.pfm", "-width", "40", "-height", "30"});
@@ -33,7 +34,7 @@ ray::RenderSettings Small(const ray::Scene& scene) {
   return settings;
 }
 
-void ExpectOneImage(const project::Stage& stage, const std::string& name) {
+void ExpectTheSameImage(const project::Stage& stage, const std::string& name) {
   const ray::RenderSettings usual = Small(*stage.scene);
   const auto bits = [&](const ray::RenderSettings& settings, const char* accelerator) {
     ray::AcceleratorSettings how;
@@ -52,7 +53,7 @@ void ExpectOneImage(const project::Stage& stage, const std::string& name) {
   EXPECT_TRUE(bits(spread, "bvh") == wanted) << name << " in tiles";
 }
 
-/// Files that are no scenes, or lack what they name, are left out.
+/// Skips files that are not scenes, or lack the files that they name.
 int CheckAll(const Paths& files) {
   int scenes = 0;
   for (const auto& file : files) {
@@ -61,7 +62,7 @@ int CheckAll(const Paths& files) {
       options.allowed_folders = {file.parent_path().parent_path().string()};
       ray::Scene scene = ray::Parse(file.string(), options).scene;
       ++scenes;
-      ExpectOneImage(project::Stage(std::move(scene)), file.string());
+      ExpectTheSameImage(project::Stage(std::move(scene)), file.string());
     } catch (const ray::SceneErrors&) {
     }
   }

@@ -1,5 +1,5 @@
-// Scenes of other courses give the pictures that those courses hand out, up to so many pixels. The scenes and their
-// pictures are not ours to pass on: these tests skip where they are not beside the project.
+// Scenes of other courses match the images that those courses hand out, except for a number of pixels. The scenes and
+// their images are not ours to distribute: these tests skip if they are not next to the project.
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ namespace {
 R2::Image ImageIn(const std::string& file) { return ray::testing::Decode(file).image; }
 
 struct Counted {
-  int pixels = 0;   // that differ at all
-  int by_more = 0;  // by more than `levels`
+  int pixels = 0;   // different pixels
+  int by_more = 0;  // different by more than `levels`
   double mean = 0;  // over pixels and channels, in levels
 };
 
@@ -36,10 +36,10 @@ Counted Compare(const R2::Image& a, const R2::Image& b, int levels) {
 
 struct Bar {
   const char* scene;
-  const char* picture;
-  std::vector<std::string> options;  // where the picture was made otherwise than the file says
+  const char* image;
+  std::vector<std::string> options;  // if the image was made with other settings than the file's
   int most_pixels;
-  int levels, most_by_more;  // most_by_more of them by more than so many
+  int levels, most_by_more;  // most_by_more may differ by more than `levels`
   double mean = 255;
 };
 
@@ -50,7 +50,7 @@ void CheckBar(const std::string& folder, const Bar& bar) {
   words.insert(words.end(), bar.options.begin(), bar.options.end());
   const auto finished = ray::testing::RunProgram(words);
   ASSERT_EQ(finished.status, 0) << finished.error;
-  const R2::Image made = ImageIn(out / "out.png"), wanted = ImageIn((course / bar.picture).string());
+  const R2::Image made = ImageIn(out / "out.png"), wanted = ImageIn((course / bar.image).string());
   ASSERT_EQ(made.Width(), wanted.Width());
   ASSERT_EQ(made.Height(), wanted.Height());
   const Counted counted = Compare(made, wanted, bar.levels);
@@ -65,24 +65,24 @@ constexpr int all = 1 << 30;
 
 #ifdef RAYPRO_YAML
 
-// The pictures called 4 x 4 were made with 2 x 2 samples.
+// The images named 4 x 4 were made with 2 x 2 samples.
 //
-// Those with shadows differ for two reasons. A plain program in double precision of nothing but these formulas differs
-// in the same 102 pixels of the first.
-// In 38 the picture has only ambient light, where the cosine of the light is below 0.023: in all 21 pixels below 0.0051
-// where it would show, and in 17 scattered among some 300 up to 0.025. We give them their light. Spheres seem to shadow
-// themselves. Shadow rays that begin a distance d inside and count hits from m on, with d = (m^2 + m / 2) / 100, darken
-// just those 21 and none other; in double precision rays that count hits from 1e-6 on darken none. In single, rays from
-// the point that count hits from 0.001 on darken 6 of the 38 and 3 others, rays from the light that stop 0.1 before the
-// point 26 and 29 others, and no other offset does better. So rounding may explain the scattered ones, but no rule that
-// a scene could state.
+// Those with shadows differ for two reasons. A plain program in double precision that implements just these formulas
+// differs in the same 102 pixels of the first.
+// In 38 pixels the image has only ambient light, where the cosine of the light is below 0.023: in all 21 pixels below
+// 0.0051 where it would be visible, and in 17 scattered among about 300 up to 0.025. We add their light. Spheres seem
+// to shadow themselves. Shadow rays that begin a distance d inside and count hits from m on, with d = (m^2 + m / 2) /
+// 100, darken just those 21 and no others; in double precision rays that count hits from 1e-6 on darken none. In single
+// precision, rays from the point that count hits from 0.001 on darken 6 of the 38 and 3 others, rays from the light
+// that stop 0.1 before the point 26 and 29 others, and no other offset does better. So rounding may explain the
+// scattered ones, but no rule that a scene could state.
 // 64 differ by one level, where the formulas give a whole number to within 0.06, mostly 0.005. The signs are mixed, and
-// moving hits along the ray by 1e-5 to 1e-2 either way leaves 68 of the oldest picture's 71 at best. It looks like
+// moving hits along the ray by 1e-5 to 1e-2 either way leaves 68 of the oldest image's 71 at best. It looks like
 // rounding much coarser than ours, but not simply like single precision, in which the same program agrees with 50 of
 // those 71 and differs in 63 others.
-// The one pixel of the second picture that is 59 levels off lies on the ground where the shadow from its second light
+// The one pixel of the second image that is 59 levels off is on the ground where the shadow from its second light
 // begins: dark there, lit here.
-TEST(Courses, GroningensImagesAreMet) {
+TEST(Courses, GroningensImagesAreMatched) {
   NEEDS_THE_PROGRAM();
   if (IsAbsent("scenes-groningen")) GTEST_SKIP() << "no scenes of Groningen beside the project";
   const std::vector<std::string> four{"-samples", "4"};
@@ -106,7 +106,7 @@ TEST(Courses, GroningensImagesAreMet) {
     CheckBar("scenes-groningen", bar);
 }
 
-/// The oldest pictures aimed at the lower left corners of pixels, where all others aim at their middles.
+/// The oldest images aimed at the lower left corners of pixels; all others aim at their middles.
 R2::Image OfCorners(const std::string& scene, const std::string& mode) {
   ray::Scene parsed = ray::Parse(project::Shared() / "scenes-groningen" / scene, {}).scene;
   constexpr int side = 400;
@@ -128,13 +128,13 @@ R2::Image OfCorners(const std::string& scene, const std::string& mode) {
   return image;
 }
 
-TEST(Courses, GroningensOldestImagesAreMetHalfAPixelAside) {
+TEST(Courses, GroningensOldestImagesAreMatchedShiftedByHalfAPixel) {
   if (IsAbsent("scenes-groningen")) GTEST_SKIP() << "no scenes of Groningen beside the project";
   const auto reference = [](const char* name) {
     return ImageIn((project::Shared() / "scenes-groningen/reference" / name).string());
   };
   const Counted phong = Compare(OfCorners("scene01.yaml", "whitted"), reference("scene01-phong-2009-pixels.png"), 1);
-  EXPECT_LE(phong.pixels, 70) << "whole numbers but for rounding, as in the pictures with shadows";
+  EXPECT_LE(phong.pixels, 70) << "whole numbers except for rounding, as in the images with shadows";
   EXPECT_EQ(phong.by_more, 0);
   const Counted normal =
       Compare(OfCorners("scene01-normal.yaml", "normal_color"), reference("scene01-normal-2009-pixels.png"), 1);
@@ -144,7 +144,7 @@ TEST(Courses, GroningensOldestImagesAreMetHalfAPixelAside) {
 
 #endif
 
-TEST(Courses, Cs315sImagesAreMet) {
+TEST(Courses, Cs315sImagesAreMatched) {
   NEEDS_THE_PROGRAM();
   if (IsAbsent("scenes-cs315")) GTEST_SKIP() << "no scenes of CS 315 beside the project";
   for (const Bar& bar : std::vector<Bar>{

@@ -1,4 +1,4 @@
-// One picture, bit for bit, also with everything on that takes random numbers or reaches beyond its pixel.
+// The same image, bit for bit, also with all features that use random numbers or read neighboring pixels.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ R2::Image Sky() {
   return image;
 }
 
-/// Glass, mirrors, gloss, textures of light: an area light, a ball of light, a triangle that shines, and a sky.
+/// Glass, mirrors, gloss, emissive textures: an area light, an emissive ball, an emissive triangle, and a sky.
 project::Stage EverythingAtOnce() {
   ray::Scene scene = project::FromText(
       "camera 0 1.5 6  0 -0.2 -1  0 1 0  0.35  0.01 100 ambient 0.1 0.1 0.1 "
@@ -50,7 +50,7 @@ RenderSettings Everything(const char* mode, const char* filter) {
   return s;
 }
 
-TEST(Effects, EveryAcceleratorGivesTheSameBitsWithEverythingOn) {
+TEST(Effects, EveryAcceleratorGivesTheSameBitsWithAllFeatures) {
   const project::Stage stage = EverythingAtOnce();
   for (const char* mode : {"path", "whitted"}) {
     const RenderSettings settings = Everything(mode, "mitchell");
@@ -62,7 +62,7 @@ TEST(Effects, EveryAcceleratorGivesTheSameBitsWithEverythingOn) {
   }
 }
 
-TEST(Extremes, J1_ThreadsAndTilesNeverChangeABitWithEverythingOn) {
+TEST(Extremes, J1_ThreadsAndTilesNeverChangeABitWithAllFeatures) {
   const project::Stage stage = EverythingAtOnce();
   for (const char* mode : {"path", "whitted"})
     for (const char* sampler : ray::sampler_names) {
@@ -80,7 +80,7 @@ TEST(Extremes, J1_ThreadsAndTilesNeverChangeABitWithEverythingOn) {
     }
 }
 
-// What an error decides is decided on the sums of samples, which no thread and no tile can change.
+// Decisions by an error use sums of samples, which threads and tiles cannot change.
 TEST(Extremes, J1_ThreadsAndTilesDoNotChangeRendersToAnError) {
   const project::Stage stage = EverythingAtOnce();
   RenderSettings settings = Everything("path", "gaussian");
@@ -99,7 +99,7 @@ TEST(Extremes, J1_ThreadsAndTilesDoNotChangeRendersToAnError) {
     }
 }
 
-// The first samples of an error's two streams once were sixteen, however little time there was.
+// The first samples of an error's two streams were once sixteen, regardless of the time limit.
 TEST(Effects, ATimeLimitPromptlyEndsRendersToAnError) {
   const project::Stage stage = EverythingAtOnce();
   RenderSettings settings = Everything("path", "box");
@@ -111,7 +111,7 @@ TEST(Effects, ATimeLimitPromptlyEndsRendersToAnError) {
   EXPECT_EQ(result.samples.most, 1u);
   EXPECT_LT(result.samples.mean, 0.1);
   EXPECT_GT(result.pixels_done, 0);
-  // With time enough, it decides after as many samples as without a limit.
+  // With enough time, the error decides after as many samples as without a limit.
   settings.budget.error = ray::ErrorTarget{8, ray::ErrorUnit::display};
   settings.budget.seconds = 1e6;
   const auto unhurried = project::Render(stage, settings);
@@ -159,9 +159,9 @@ TEST(Extremes, G6_TheUnionOfTilesIsTheWhole) {
   }
 }
 
-// What is stated without effect must not cost a bit of the picture.
-TEST(Effects, StatedWithoutEffectTheyChangeNoBit) {
-  const auto picture = [](const std::string& text, const RenderSettings& settings) {
+// Settings without an effect must not change a bit of the image.
+TEST(Effects, WithoutAnEffectTheyChangeNoBit) {
+  const auto rendered = [](const std::string& text, const RenderSettings& settings) {
     return project::Render(project::Stage(project::FromText(text)), settings).image;
   };
   const std::string scene =
@@ -171,15 +171,15 @@ TEST(Effects, StatedWithoutEffectTheyChangeNoBit) {
   RenderSettings plain;
   plain.width = plain.height = 24;
   plain.samples = 2;
-  const auto expected = picture(scene, plain);
+  const auto expected = rendered(scene, plain);
   RenderSettings stated = plain;
   stated.camera = {.motion = {0, 0, 0}, .aperture = 0, .focus = 3};
-  stated.trace.fresnel = true;  // nothing is clear
+  stated.trace.fresnel = true;  // nothing is transparent
   stated.trace.strategy = ray::LightStrategy::light;
-  EXPECT_TRUE(picture(scene + "absorb 0  1 1 1 point_light 0 0 0  0 3 3  1 0 0", stated) == expected);
+  EXPECT_TRUE(rendered(scene + "absorb 0  1 1 1 point_light 0 0 0  0 3 3  1 0 0", stated) == expected);
 }
 
-// Blocks of like pixels take one sample, and whether they are alike is seen in whole blocks and their neighbors.
+// Blocks of similar pixels take one sample; the decision reads whole blocks and their neighbors.
 TEST(Extremes, G6_CropsMatchTheWholeWithAdaptiveNeighbors) {
   const project::Stage stage = EverythingAtOnce();
   for (const char* filter : ray::filter_names) {
@@ -198,7 +198,7 @@ TEST(Extremes, G6_CropsMatchTheWholeWithAdaptiveNeighbors) {
   }
 }
 
-// A target is that of the crop, and so are the samples that it takes: docs/accuracy.md says so.
+// The target and the samples are those of the crop: see docs/accuracy.md.
 TEST(Extremes, G6_AnErrorTargetAppliesToTheCropAlone) {
   const project::Stage stage(project::FromText(
       "camera 0 2 6  0 -.3 -1  0 1 0  .5  .1 100 background .2 .3 .4 area_light 1 1 1  0 4 1  0 -1 0  1  1 0 0 "
@@ -209,7 +209,7 @@ TEST(Extremes, G6_AnErrorTargetAppliesToTheCropAlone) {
   settings.trace.shadow_samples = 1;
   settings.budget.error = ray::ErrorTarget{2, ray::ErrorUnit::display};
   const auto whole = project::Render(stage, settings);
-  settings.crop = PixelRectangle{0, 44, 48, 48};  // of the background alone
+  settings.crop = PixelRectangle{0, 44, 48, 48};  // only background
   const auto part = project::Render(stage, settings);
   EXPECT_LT(part.samples.most, whole.samples.least);
   EXPECT_EQ(part.error->estimate, 0);

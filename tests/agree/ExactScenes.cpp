@@ -1,5 +1,5 @@
-// Whole scenes against arithmetic of 113 bits that tries every shape: what transforms, structures and shapes make of a
-// ray together. If this fails, things are missing from pictures, or are where they should not be.
+// Whole scenes compared with arithmetic of 113 bits that tests every shape: the combined effect of transforms,
+// structures and shapes on a ray. If this fails, objects are missing from images or misplaced.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-TEST(ExactScenes, RandomScenesAreHitAsExactArithmeticSays) {
+TEST(ExactScenes, RandomScenesHaveTheHitsOfExactArithmetic) {
   for (const double powers : {0.0, 1.0, 2.0})
     for (int seed = 0; seed < Count(10, 1000); ++seed) {
       Draw draw(static_cast<std::uint64_t>(seed) + 1300);
@@ -23,14 +23,14 @@ TEST(ExactScenes, RandomScenesAreHitAsExactArithmeticSays) {
     }
 }
 
-// Among random rays some have none. The judge once read the last of no breaks.
+// Some random rays have no direction. The judge once read the last element of an empty list of breaks.
 TEST(ExactScenes, ALineWithoutDirectionCrossesNoRing) {
   const oracle::Ring ring{1, 0.4};
   EXPECT_TRUE(ring.Breaks({{1, 2, 3}, {0, 0, 0}}, 0).empty());
   EXPECT_FALSE(ring.Breaks({{1, 2, 3}, {0, 0, 1}}, 0).empty());
 }
 
-// What the judge does not see, it could not tell of.
+// Faults that the judge cannot see would go unreported.
 TEST(ExactScenes, AnswersWithAPlantedFaultAreFound) {
   int answers = 0, found_missing = 0, found_off = 0, found_late = 0;
   for (int seed = 0; seed < 30; ++seed) {
@@ -42,7 +42,7 @@ TEST(ExactScenes, AnswersWithAPlantedFaultAreFound) {
     ray::Workspace workspace;
     for (R3::Ray ray : accelerators::RaysAt(world, draw, 20)) {
       const auto hit = none->Intersect(ray, workspace);
-      if (!hit || hit->t < 1e-3) continue;  // what starts on a surface may be on either side of it
+      if (!hit || hit->t < 1e-3) continue;  // rays that start on a surface may be on either side of it
       ++answers;
       found_missing += !exact.WhatIsWrong(ray, {}).empty();
       auto off = hit;
@@ -54,7 +54,7 @@ TEST(ExactScenes, AnswersWithAPlantedFaultAreFound) {
     }
   }
   EXPECT_GT(answers, 150);
-  // The others graze what they hit, or are off by what rays from afar may be.
+  // The others graze their surface, or are within the errors of distant rays.
   EXPECT_GT(found_missing, 0.95 * answers);
   EXPECT_GT(found_off, 0.95 * answers);
   EXPECT_GT(found_late, 0.95 * answers);

@@ -1,4 +1,4 @@
-// One sample where neighboring pixels are alike and all where they differ give the picture of all samples everywhere.
+// One sample where neighboring pixels are similar and all where they differ give the image of all samples everywhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int side = 160, samples = 9;
 
-/// The settings that the scene asks for, but for image size and samples.
+/// Returns the settings of the scene, except for image size and samples.
 ray::RenderSettings SettingsOf(const ray::Scene& scene, ray::SamplerKind sampler) {
   const ray::RenderOptions typed = ray::ReadCommandLine(
       ray::Program::raypro,
@@ -24,7 +24,7 @@ ray::RenderSettings SettingsOf(const ray::Scene& scene, ray::SamplerKind sampler
   return WithSettingsOf(scene, typed).render;
 }
 
-/// The share of pixels that are more than a level off in any channel.
+/// Returns the share of pixels that are more than a level off in any channel.
 double ShareOff(const R2::Image& a, const R2::Image& b) {
   int off = 0;
   for (int y = 0; y < side; ++y)
@@ -54,7 +54,7 @@ TEST(AdaptiveNeighbors, SavesRaysAndChangesFewPixelsVisibly) {
 }
 
 TEST(AdaptiveNeighbors, FullySamplesBlocksOnBothSidesOfAnEdge) {
-  // White from the middle on to the right, where a block of 8 x 8 begins: the black block beside it differs from it.
+  // White from the middle to the right, where a block of 8 x 8 begins: the black block next to it differs from it.
   const project::Stage stage(
       project::FromText("camera 0 0 1  0 0 -1  0 1 0  .7853981633974483  .01 100 background 0 0 0 ambient 1 1 1 "
                         "material 1 1 1  0 0 0  0 0 0  0 0 0  0 0 0  1 1 0 dir_light 0 0 0  0 -1 0 "

@@ -1,5 +1,5 @@
-// Rays along the outlines of shapes, as near to where they just meet or just miss as doubles come: whatever tests come
-// before a shape's own, all accelerators find what that finds.
+// Rays along the outlines of shapes, as close to just hitting or just missing as doubles allow: for any tests before a
+// shape's own, all accelerators find the hits of the latter.
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@ using accelerators::EveryWay;
 using accelerators::Group;
 using accelerators::Leaf;
 
-/// Where rays from `eye` just meet what `world` shows, between a direction that does and one that does not: the last
-/// two that halving finds, and some beside them.
+/// Returns rays from `eye` that just hit a shape of `world`, between a direction that does and one that does not: the
+/// last two of a bisection, and some next to them.
 void AddOutline(const ray::World& world, const ray::Accelerator& accelerator, const R3::Point& eye, Draw& draw,
                 std::vector<R3::Ray>& rays) {
   ray::Workspace workspace;
@@ -44,7 +44,7 @@ void AddOutline(const ray::World& world, const ray::Accelerator& accelerator, co
   }
 }
 
-/// A matrix that flattens or stretches one axis by up to so many orders of magnitude, then turns.
+/// Returns a matrix that flattens or stretches one axis by up to that many orders of magnitude, then rotates.
 R3::Matrix Squeezed(Draw& draw, double powers) {
   R3::Matrix m = draw.Affine(1);
   const auto axis = static_cast<std::size_t>(draw.Whole(0, 2));
@@ -68,7 +68,7 @@ TEST(Outlines, OfTransformedShapesAgreeForEveryAccelerator) {
       if (draw.Whole(0, 9) == 0) group.motion = 0.1 * draw.Direction();
       group.children.push_back(Leaf(kind->make(kind->example)));
       SetBounds(group);
-      // The shape stands alone, so that outlines are found that others would hide.
+      // The shape is alone, so that outlines are found which others would hide.
       ray::Scene alone;
       alone.root.children.push_back(std::move(group));
       SetBounds(alone.root);
@@ -89,7 +89,7 @@ TEST(Outlines, OfTransformedShapesAgreeForEveryAccelerator) {
   }
 }
 
-TEST(Outlines, OfManyTurnedShapesAreTheSameInPacketsToo) {
+TEST(Outlines, OfManyRotatedShapesAreTheSameInPackets) {
   const auto ways = EveryWay();
   const auto kinds = BoundedShapeKinds();
   for (int seed = 0; seed < Count(8, 1000); ++seed) {

@@ -1,4 +1,4 @@
-// Rays traced in packets get the answers that each gets alone, however coherent they are.
+// Rays traced in packets have the results of single rays, however coherent they are.
 
 #include <gtest/gtest.h>
 
@@ -59,12 +59,13 @@ TEST(Packets, AgreeAtCornersAndEdgesOfAClosedMesh) {
   Compare(world, rays, EveryWay());
 }
 
-// Such trees are visited by all rays of a packet together though each goes its own way.
-TEST(Packets, AgreeInSmallTreesWhicheverWayTheyGo) {
+// All rays of a packet visit such trees together, in all directions.
+TEST(Packets, AgreeInSmallTreesInAllDirections) {
   const auto ways = EveryWay();
   for (int seed = 0; seed < Count(40, 20000); ++seed) {
     Draw draw(static_cast<std::uint64_t>(seed) + 1700);
-    // Triangles that share corners, lie in planes of axes, are thin or large, of lengths from far below 1 to far above.
+    // Triangles that share corners, are in planes of axes, are thin or large, with lengths from far below 1 to far
+    // above.
     R3::MeshData data;
     const double length = draw.Whole(0, 3) ? 1 : draw.Scale(-90, 90);
     const bool is_on_lattice = draw.Whole(0, 1);
@@ -95,8 +96,8 @@ TEST(Packets, AgreeInSmallTreesWhicheverWayTheyGo) {
   }
 }
 
-/// Sixteen rays from one place, outside, on or inside of a sphere, past its silhouette as nearly as `share` of its
-/// radius says, or that end as nearly where they meet it.
+/// Returns sixteen rays from one place, outside, on or inside of a sphere, that pass its silhouette within `share` of
+/// its radius, or end within that of their hit.
 std::vector<R3::Ray> BundleThatGrazes(const R3::Point& center, double radius, double share, Draw& draw) {
   const R3::Vector along = draw.Direction(), across = Unit(Cross(along, draw.Direction())), up = Cross(along, across);
   const double away = draw.Whole(0, 2) ? draw.Scale(0, 1) : 1 + share * draw.Between(-1, 1);  // times the radius
@@ -138,7 +139,7 @@ TEST(Packets, AgreeAboutSpheresThatTheyGraze) {
   }
 }
 
-TEST(Packets, AgreeWhenTheyEndOrBeginOrAreNoRays) {
+TEST(Packets, AgreeWhenTheyEndBeginOrAreInvalid) {
   const ray::Scene scene = SceneOf(accelerators::BumpyBall(24, 16));
   const ray::World world(scene);
   Draw draw(990);

@@ -1,4 +1,4 @@
-// Path tracing beside a tracer of one page, which shares none of its ways: the same mean.
+// Path tracing compared with a tracer of one page, which shares none of its methods: the same mean.
 
 #include "tests/oracle/Path.h"
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// A lamp and a sky over what scatters by every lobe, alone and together.
+/// A lamp and a sky over materials that scatter by every lobe, alone and together.
 constexpr const char* by_every_lobe =
     "camera 0 2 8  0 -0.15 -1  0 1 0  0.4  0.01 100  background 0.3 0.4 0.5  point_light 0 0 0  0 9 0  1 0 0 "
     "material 0 0 0  0.6 0.5 0.4  0 0 0  0 0 0  0 0 0  1 1 0 "
@@ -28,13 +28,13 @@ TEST(PathOracle, HasTheSameMeanAsATracerOfOnePage) {
   settings.samples = Count(64, 1024);
   settings.trace.max_depth = 100;
   settings.trace.fresnel = true;
-  constexpr int pictures = 20;
+  constexpr int images = 20;
   std::vector<R2::Image> truth;
-  for (unsigned seed = 1; seed <= pictures; ++seed)
+  for (unsigned seed = 1; seed <= images; ++seed)
     truth.push_back(oracle::Path(stage.world, seed).Picture(settings.width, settings.height, Count(256, 4096)));
   for (const auto strategy : {ray::LightStrategy::mis, ray::LightStrategy::light, ray::LightStrategy::bsdf}) {
     settings.trace.strategy = strategy;
-    const auto c = statistics::Compare(statistics::Pictures(stage, settings, pictures, 1), truth);
+    const auto c = statistics::Compare(statistics::Pictures(stage, settings, images, 1), truth);
     EXPECT_LE(c.worst_pixel, 1) << static_cast<int>(strategy);
     EXPECT_LE(std::abs(c.whole), 4) << static_cast<int>(strategy);
     EXPECT_LE(c.deviation, 0.01) << static_cast<int>(strategy) << ": too noisy to tell anything";

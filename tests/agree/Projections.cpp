@@ -1,4 +1,4 @@
-// Pictures of cameras that are no pinholes: what geometry says of them, and that all that renders agrees.
+// Images of cameras other than pinholes: their geometry, and the agreement of all renderers.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Every kind that is no pinhole, with a number that suits scenes/fisheye.scn.
+/// Every kind other than the pinhole, with a number that suits scenes/fisheye.scn.
 std::vector<std::string> Projections() {
   std::vector<std::string> words;
   for (const CameraKind* kind : CameraKinds()) {
@@ -46,7 +46,8 @@ project::Stage RoomWith(const std::string& projection) {
 
 bool IsLit(const R2::Color& c) { return Luminance(c) > 0; }
 
-/// The unit direction through the middle of a pixel by the equations of the projection, right, up and towards.
+/// Returns the unit direction through the middle of a pixel by the equations of the projection, as right, up and
+/// towards.
 R3::Vector DirectionOf(const std::string& kind, double x, double y) {
   if (kind == "fisheye") {
     const double angle = std::hypot(x, y) * 150 * pi / 180, around = std::atan2(y, x);
@@ -59,8 +60,8 @@ R3::Vector DirectionOf(const std::string& kind, double x, double y) {
   return {std::cos(y * pi) * std::sin(x * pi), std::sin(y * pi), std::cos(y * pi) * std::cos(x * pi)};
 }
 
-TEST(Projections, ASphereHasItsOutlineWhereTheEquationsSay) {
-  const R3::Vector center{1.5, 0.75, 1};  // right, up and before the eye, which looks along -z
+TEST(Projections, ASphereHasTheOutlineOfTheEquations) {
+  const R3::Vector center{1.5, 0.75, 1};  // right, up and in front of the eye, which looks along -z
   const double radius = 1.25, half = std::asin(radius / Length(center));
   for (const char* kind : {"fisheye", "cylinder", "latlong"}) {
     const bool has_angle = FindCameraKind(kind)->extent == CameraExtent::angle;
@@ -121,7 +122,7 @@ TEST(Projections, NoRaysAreTracedOutsideAFisheyesCircle) {
   EXPECT_EQ(result.pixels_done, side * side);
 }
 
-TEST(Projections, RaysInPacketsHitWhatEachHitsAlone) {
+TEST(Projections, RaysInPacketsHaveTheHitsOfSingleRays) {
   for (const std::string& projection : Projections()) {
     const project::Stage stage = RoomWith(projection);
     const auto bvh = FindAcceleratorKind("bvh")->Make(stage.world, {});
@@ -146,7 +147,7 @@ TEST(Projections, RaysInPacketsHitWhatEachHitsAlone) {
   }
 }
 
-TEST(Projections, AcceleratorsThreadsAndTilesMakeOneImage) {
+TEST(Projections, AcceleratorsThreadsAndTilesMakeTheSameImage) {
   for (const std::string& projection : Projections()) {
     const project::Stage stage = RoomWith(projection);
     RenderSettings settings = Settings(50, 40, 2);
@@ -194,14 +195,14 @@ TEST(Projections, TheRayTreeNamesSamplesWithoutARay) {
   const std::string corner = DebugPixel(stage.world, *accelerator, Settings(40, 40, 4), 0, 0);
   EXPECT_TRUE(Contains(corner, "sample 4 at ")) << corner;
   EXPECT_FALSE(Contains(corner, "camera ray")) << corner;
-  // The circle's rim crosses this pixel, so that some samples are on either side of it.
+  // The circle's edge crosses this pixel, so that it has samples on both sides.
   const std::string rim = DebugPixel(stage.world, *accelerator, Settings(40, 40, 16), 5, 6);
   EXPECT_TRUE(Contains(rim, "outside the camera's view")) << rim;
   EXPECT_TRUE(Contains(rim, "camera ray")) << rim;
   for (int i = 1; i <= 16; ++i) EXPECT_TRUE(Contains(rim, "sample " + std::to_string(i) + " at ")) << rim;
 }
 
-TEST(Projections, TheErrorOfAFisheyeIsWhatItClaims) {
+TEST(Projections, TheEstimatedErrorOfAFisheyeIsTrue) {
   const project::Stage stage = RoomWith("projection fisheye 200");
   const R2::Image truth = project::Render(stage, Settings(64, 64, 4096)).image;
   int held = 0, renders = 0;

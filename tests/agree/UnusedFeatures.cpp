@@ -1,5 +1,5 @@
-// What is stated but has no effect costs nothing: the same needs, the same kernel and the same bits as without the
-// statement. Else a scene that says "aperture 0" would be slower, or noisier, for saying so.
+// Statements without an effect cost nothing: the same features, the same kernel and the same bits as without them.
+// Otherwise "aperture 0" would make a scene slower, or noisier.
 
 #include <gtest/gtest.h>
 
@@ -102,7 +102,7 @@ TEST(UnusedFeatures, AnAreaLightWithoutAreaTakesOneShadowRay) {
   }
 }
 
-// It took 16 places at each point and dropped them all.
+// It once took 16 places at each point and discarded them all.
 TEST(UnusedFeatures, ALightThatShinesAwayAddsNeitherRaysNorLight) {
   const project::Stage plain(project::FromText(Scene(diffuse, "", area_light)));
   for (const char* dark : {"area_light 1 1 1  3 -3 2  0 -1 0  .3  1 0 0", "area_light 1 1 1  0 9 0  .1 1 0  2  1 0 0",
@@ -143,8 +143,8 @@ TEST(UnusedFeatures, OptionsWithoutEffectChangeNeitherKernelsNorBits) {
     }
 }
 
-// The other way round, lest everything above hold because nothing is ever needed.
-TEST(UnusedFeatures, OnesThatHaveAnEffectAreNeededAndSeen) {
+// The reverse, so that the tests above cannot pass because nothing is ever needed.
+TEST(UnusedFeatures, OnesWithAnEffectAreRequiredAndVisible) {
   const project::Stage stage(project::FromText(Scene(diffuse, "", area_light)));
   const ray::RenderSettings plain = Small("whitted");
   ray::RenderSettings lens = plain, motion = plain;

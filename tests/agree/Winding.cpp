@@ -1,5 +1,5 @@
-// A smooth mesh that was mirrored, so that its triangles turn the other way round, beside the mesh that it was: the
-// same picture, bit for bit, of everything that depends on which side of a surface is the front.
+// A mirrored smooth mesh, whose triangles have the opposite orientation, compared with the original: the same image,
+// bit for bit, for everything that depends on the front of a surface.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace ray::testing {
 namespace {
 
-/// An octahedron with a texture, its normals outward.
+/// Returns an octahedron with a texture, its normals outward.
 std::string Octahedron(bool is_mirrored) {
   std::string text;
   const char* const corners[] = {"1 0 0", "-1 0 0", "0 1 0", "0 -1 0", "0 0 1", "0 0 -1"};
@@ -47,7 +47,7 @@ R2::Image Shown(const std::string& material, RenderMode mode, bool is_mirrored) 
   return project::Render(stage, settings).image;
 }
 
-TEST(MirroredMesh, IsShownAsTheMeshThatItWas) {
+TEST(MirroredMesh, HasTheImageOfTheOriginal) {
   const std::pair<const char*, const char*> materials[] = {
       {"diffuse", "material 0 0 0  .7 .7 .7  .2 .2 .2  0 0 0  0 0 0  20 1 0"},
       {"tinted glass", "material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  1 1.5 0\nabsorb 1  .2 .5 .9"},

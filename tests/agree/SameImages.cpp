@@ -1,4 +1,4 @@
-// One picture, bit for bit, whatever makes it: accelerators, their switches, threads, tiles, crops.
+// The same image, bit for bit, for any accelerator with its switches, threads, tiles and crops.
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST(Extremes, J1_ThreadsAndTilesNeverChangeABit) {
   EXPECT_GE(scenes, 20);
 }
 
-TEST(Pictures, CountsDependOnTheTilesButNotOnTheThreads) {
+TEST(SameImages, CountsDependOnTheTilesButNotOnTheThreads) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   ray::RenderSettings settings = Small();
   settings.tile_size = 8;
@@ -67,7 +67,7 @@ TEST(Pictures, CountsDependOnTheTilesButNotOnTheThreads) {
   EXPECT_EQ(one.rays, seven.rays);
 }
 
-TEST(Pictures, OfHeatDependOnTheAcceleratorAndOnNothingElse) {
+TEST(SameImages, OfHeatDependOnTheAcceleratorAndOnNothingElse) {
   const project::Stage stage(project::Root() / "scenes" / "smooth.scn");
   ray::RenderSettings settings = Small();
   settings.mode = ray::RenderMode::heat;
@@ -79,8 +79,8 @@ TEST(Pictures, OfHeatDependOnTheAcceleratorAndOnNothingElse) {
   EXPECT_FALSE(project::Render(stage, settings, {"none"}).image == bvh.image);
 }
 
-TEST(Pictures, OfRayCountsAreRightForEveryAccelerator) {
-  // One light without size: a pixel of the sphere takes its own ray and a shadow ray, one beside it only its own.
+TEST(SameImages, OfRayCountsAreRightForEveryAccelerator) {
+  // One light without size: a pixel of the sphere takes its own ray and a shadow ray, one next to it only its own.
   const project::Stage stage(
       project::FromText("camera 0 0 5  0 0 -1  0 1 0  0.3  0.01 100\npoint_light 1 1 1  0 0 5  1 0 0\n"
                         "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0\nsphere 0  0 0 0  1\n"));
@@ -93,7 +93,7 @@ TEST(Pictures, OfRayCountsAreRightForEveryAccelerator) {
   EXPECT_EQ(project::Render(stage, settings, {"none"}).image, image);
 }
 
-TEST(Pictures, ACropHoldsThePixelsOfTheWhole) {
+TEST(SameImages, ACropHasThePixelsOfTheWhole) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   ray::RenderSettings settings = Small();
   const auto whole = project::Render(stage, settings);
@@ -109,7 +109,7 @@ TEST(Pictures, ACropHoldsThePixelsOfTheWhole) {
   }
 }
 
-TEST(Pictures, AnotherSeedMovesTheNoiseOfASoftShadow) {
+TEST(SameImages, AnotherSeedMovesTheNoiseOfASoftShadow) {
   const project::Stage stage(project::Root() / "scenes" / "area_light.scn");
   ray::RenderSettings settings = Small();
   const auto first = project::Render(stage, settings);
@@ -117,7 +117,7 @@ TEST(Pictures, AnotherSeedMovesTheNoiseOfASoftShadow) {
   EXPECT_FALSE(project::Render(stage, settings).image == first.image);
 }
 
-TEST(Pictures, StoppedBeforeTheFirstPixelIsBlackAndSaysSo) {
+TEST(SameImages, StoppedBeforeTheFirstPixelAreBlackAndReported) {
   const project::Stage stage(project::Root() / "scenes" / "sphere.scn");
   const auto accelerator = ray::FindAcceleratorKind("none")->Make(stage.world, {});
   const std::atomic<bool> stop = true;
@@ -129,7 +129,7 @@ TEST(Pictures, StoppedBeforeTheFirstPixelIsBlackAndSaysSo) {
   EXPECT_EQ(result.image, R2::Image(24, 18));
 }
 
-TEST(Pictures, ThePublicCourseScenesAgreeToo) {
+TEST(SameImages, ThePublicCourseScenesAgreeToo) {
   if (!std::filesystem::exists(project::Shared() / "scenes-cos426"))
     GTEST_SKIP() << "the public course scenes are not beside this checkout; scenes/ covers the same ground";
   ray::RenderSettings settings = Small();
