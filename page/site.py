@@ -137,7 +137,8 @@ class Markdown:
         text = re.sub(r"!\[([^\]]*)\]\(([^) ]+)\)", self.image, text)
         text = re.sub(r"\[([^\]]+)\]\(([^) ]+)\)", self.anchor, text)
         text = re.sub(r"\x00([^\x00]*)\x00", r"<code>\1</code>", text)
-        return re.sub(r"\*\*([^*]+)\*\*", r"<strong>\1</strong>", text)
+        text = re.sub(r"\*\*([^*]+)\*\*", r"<strong>\1</strong>", text)
+        return re.sub(r"(?<![\w*])\*([^*\s][^*]*)\*(?![\w*])", r"<em>\1</em>", text)
 
     def image(self, found):
         goal = self.site.link(found[2], self.source, self.target)
@@ -262,13 +263,16 @@ def edit_links(site, text):
 
 def copy_writeup(site, source):
     text = pathlib.Path(source).read_text()
-    text = re.sub(r'<p class="pages">.*?</p>', lambda _: site.menu(source), text, flags=re.S)
+    menu = site.menu(source)
+    inner = [link for link in re.findall(r'<a href="(?!\.\./)[^"]*"[^>]*>[^<]*</a>', text.partition("</header>")[0])
+             if re.search(r'"(.*?)\.html', link)[1] not in ("courses", "troubleshooting")]  # which the menu has
+    menu += '<p class="pages">' + "\n".join(inner) + "</p>" if 'aria-current' in "".join(inner) else ""
+    text = re.sub(r'<p class="pages">.*?</p>', lambda _: menu, text, count=1, flags=re.S)
 
     def linked(found):
         goal = site.link(html.unescape(found[1]), source, source)
         return f'<a href="{html.escape(goal)}"{found[2]}>{found[3]}</a>' if goal else found[3]
 
-    menu = site.menu(source)
     head, tail = text.split(menu)
     text = head + menu + re.sub(r'<a href="([^"]*)"([^>]*)>(.*?)</a>', linked, tail, flags=re.S)
     site.write(source, edit_links(site, text))
