@@ -23,7 +23,7 @@ std::string WithModifiers(const Modifiers& modifiers) {
   return std::string(modifiers.control ? " Control" : "") + (modifiers.shift ? " Shift" : "");
 }
 
-/// Reads one script; every mistake is kept, and its line left out.
+/// Reads one script; every mistake is kept, and its line is ignored.
 class Reader {
  public:
   explicit Reader(const Text& text) : text_(text), tokens_(text, Tokenizer::Comments::hash) {}

@@ -30,7 +30,7 @@
 ///     wait 0.5                   seconds
 ///     screenshot out.png
 ///     panel Settings             a click in the panels, on the first thing whose name begins so
-///     print                      what the viewer shows, in words
+///     print                      a description of what the viewer shows
 namespace ray {
 
 /// Says from where y counts in the steps that follow.

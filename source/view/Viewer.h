@@ -45,7 +45,7 @@ class Viewer {
   /// Returns the items of the panels that take clicks, as last drawn.
   const std::vector<PanelItem>& ItemsOfPanels() const;
 
-  // What the program around it asks for.
+  // For the program around it.
   void ShowPanels(const PanelSettings& look);
   /// The file of the settings has these mistakes, and the scene shown is another.
   void ShowMistakes(const SceneErrors& mistakes);

@@ -22,7 +22,7 @@ struct ViewerSettings {
   RenderSettings render;  // of traced images; their size is that of the drawing
   ReferenceImage reference;
   bool shows_traced = false;     // from the start: what the view shows at rest is traced
-  bool budget_of_rest = false;   // no budget was asked for, see TracedImages::Update
+  bool budget_of_rest = false;   // no budget was requested, see TracedImages::Update
   bool shows_bar = false;        // the status bar, even without panels
   PanelSettings panels{};        // how they look when they are first shown
 };
@@ -31,7 +31,7 @@ struct ViewerSettings {
 struct ShownOption {
   std::string name, topic, help;     // without the dash
   std::string value;                 // in force, as it would be typed; empty for none
-  std::string range;                 // what may be typed, in words
+  std::string range;                 // a description of what may be typed
   std::vector<std::string> choices;  // where these are all; empty otherwise
   bool is_flag = false;              // given or not: the value is "on" or empty
 };
@@ -43,9 +43,9 @@ class ViewerHost {
   /// Writes the image of key S.
   virtual std::string SaveTraced(const RenderJob& complete) = 0;
   /// Keeps the image of key S, which was stopped, so that a program without a viewer can continue it. Returns how, or
-  /// why not; empty where nobody asked for that.
+  /// why not; empty if that was not requested.
   virtual std::string KeepStopped(const RenderJob&) { return {}; }
-  /// Writes what is drawn, once the event that asked for it is handled.
+  /// Writes what is drawn, once the event that requested it is handled.
   virtual void SaveDrawing() = 0;
   /// Writes rays as an .obj file.
   virtual std::string SaveRays(const std::string& obj) = 0;

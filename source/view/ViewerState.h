@@ -49,7 +49,7 @@ struct Layout {
 };
 
 /// All that a viewer knows, each part with rules of its own. The commands in source/view/commands change it, as keys
-/// (KeyBindings.h), the pointer (PointerInput.h) and panels ask for; what is drawn is made of it in source/view/show.
+/// (KeyBindings.h), the pointer (PointerInput.h) and panels request; source/view/show makes the drawing from it.
 struct ViewerState {
   /// `shown`: read from the settings' file. The host must outlive it.
   ViewerState(ViewerSettings begin, const LoadedScene& shown, ViewerHost& around);
@@ -129,7 +129,7 @@ struct ViewerState {
   const RenderJob* FlatJob() const;
   RenderSettings SettingsOfShownImage() const;
   Camera CameraOfShownImage() const;
-  /// The rectangle that the preview is drawn in: the view, or the flat image beside its slider.
+  /// The rectangle that the preview is drawn in: the view, or the flat image up to its slider.
   DrawingSize SizeOfPreview() const;
   /// Returns its place in the drawing; and its place if it were as large as fits.
   PixelBox PlaceOfShownImage() const { return FlatJob() ? flat.Place(FittingPlace()) : FittingPlace(); }

@@ -8,10 +8,10 @@
 
 namespace ray {
 
-/// Cameras under the digits 1 to 9, which are kept in a file beside the scene: lines of a digit and a camera line.
+/// Cameras under the digits 1 to 9, which are kept in a file next to the scene: lines of a digit and a camera line.
 class Bookmarks {
  public:
-  /// Reads those in the file; "-", standard input, has no file beside it.
+  /// Reads those in the file; "-", standard input, has no such file.
   explicit Bookmarks(const std::string& scene);
 
   /// Takes what another window has kept in the file since; what the file lacks stays.

@@ -15,7 +15,7 @@ namespace ray {
 /// Ends the uppermost of what is open: the help, a scene being read, the flat image, the crop, the pick, the cross
 /// section, the rendering.
 void Peel(ViewerState& viewer);
-/// Unless that would lose something; then when it is asked for again.
+/// Quits; if that would lose something, only when requested again.
 void Quit(ViewerState& viewer);
 /// `what`: its name in the message.
 void Toggle(ViewerState& viewer, const char* what, bool SpaceOverlays::*shows);
@@ -67,7 +67,7 @@ void ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts,
                std::function<void(const std::string& problem)> then);
 /// Returns why it could not be written, else nothing.
 std::string SaveScene(ViewerState& viewer, const std::string& file, const std::string& text);
-/// Unless that would lose edits; then a message says so, and it is opened when it is asked for again. An image is the
+/// Opens a scene; if that would lose edits, a message says so, and it is opened when requested again. An image is the
 /// reference from then on.
 void OpenScene(ViewerState& viewer, const std::string& file);
 /// Opens the scene `by` files after this one in its folder; negative: before it.
@@ -138,7 +138,7 @@ void ToggleGrid(ViewerState& viewer);
 /// Shows the rays of the pixel at a position of the drawing: of the rendered image if that is seen there, else of the
 /// view.
 void DebugPixelAt(ViewerState& viewer, const R2::Point& position);
-/// Shows rays of another tracer beside ours, of the pixel that they start from, and tells the first that differs.
+/// Shows rays of another tracer with ours, of the pixel that they start from, and names the first that differs.
 ///   file   that they are from
 void ShowForeignRays(ViewerState& viewer, const std::string& file, ForeignRays foreign);
 /// Reads them first; mistakes are shown as those of a scene.
@@ -156,7 +156,7 @@ void ToggleNormals(ViewerState& viewer);
 /// Sets the number of rays that are traced for inspection.
 void SetDebugRays(ViewerState& viewer, const DebugRayCounts& counts);
 
-// The cross section beside the view.
+// The cross section next to the view.
 
 void ToggleSection(ViewerState& viewer);
 /// Shows the cut along that plane, whatever was shown before.

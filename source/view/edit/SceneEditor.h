@@ -48,9 +48,9 @@ class SceneEditor {
   void ChooseMaterial(std::size_t material);
 
   // Changes.
-  /// `continues`: it goes on with what a slider or picker did, so that one undo takes all of it back.
+  /// `continues`: it extends what a slider or picker did, so that one undo takes all of it back.
   void SetField(std::uint32_t statement, const ScnField& field, const std::vector<double>& values, bool continues);
-  /// A setting that the scene asks for, by the name of its option.
+  /// Changes a setting of the scene, by the name of its option.
   void SetSetting(const std::string& option, const std::string& value, bool continues);
   /// "mirror" or "gloss", which the scene has not said of the material yet: with numbers that change little at first.
   void AddToMaterial(std::size_t material, const std::string& command);
@@ -86,7 +86,7 @@ class SceneEditor {
   void Undo();
   void Redo();
   void Save();
-  /// Beside the scene, under the first free name: "room-2.scn".
+  /// Saves it next to the scene, under the first free name: "room-2.scn".
   void SaveCopy();
 
   /// The axis that things are moved along, at what is chosen. `size_at` says how long it is at a point.

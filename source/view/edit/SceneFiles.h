@@ -9,7 +9,7 @@ namespace ray {
 /// The bytes of a file; nothing where it cannot be read.
 std::optional<std::string> ReadSceneFile(const std::string& file);
 
-/// The first name beside the file that is free: "room-2.scn" for "room.scn", or "room-3.scn".
+/// Returns the first free name in the folder of the file: "room-2.scn" for "room.scn", or "room-3.scn".
 std::string FreeCopyName(const std::string& file);
 
 /// The scenes and meshes in the folder of a file, by name, each as the file itself is named: with its folder, if it has

@@ -44,7 +44,7 @@ Copied Duplicated(const ScnPlaces& places, std::uint32_t statement, const R3::Ve
 /// words look_at keeps them where they say as much. Projection and shift are not edited. Throws EditRefusal.
 TextEdits WithCamera(const ScnPlaces& places, const Camera& camera);
 
-/// Makes the scene ask for settings, as "set aperture 0.1": options and their values. Throws EditRefusal.
+/// Adds settings to the scene, such as "set aperture 0.1": options and their values. Throws EditRefusal.
 TextEdits WithSettings(const ScnPlaces& places, const std::vector<std::pair<std::string, std::string>>& settings);
 
 // Materials are said by an index into Scene::materials, one that a statement has made.

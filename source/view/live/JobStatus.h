@@ -8,7 +8,7 @@
 namespace ray {
 
 /// Returns the progress of a job: "4 of 16 samples 31 % 0.5 Mrays/s 12 s left", "8 samples until stopped 0.5
-/// Mrays/s"; what a budget led to is told by ClaimOf.
+/// Mrays/s"; ClaimOf has the result of a budget.
 std::string StatusOf(const RenderJob& job);
 
 /// Returns the claim of a complete job: "estimated error 1.8/255 (1.7 to 1.9), 64 samples".

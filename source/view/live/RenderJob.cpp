@@ -38,7 +38,7 @@ RenderSettings ForJob(RenderSettings settings, RenderJob::Order order) {
 }
 
 /// Returns true if blocks are final once they have their samples; otherwise neighboring pixels decide who gets some,
-/// those around fill pixels that are left out, or the whole image is filtered.
+/// those around fill pixels that are skipped, or the whole image is filtered.
 bool HasFinalBlocks(const RenderSettings& settings) {
   return !SamplesWhereNeighborsDiffer(settings) && !IsSubsampled(settings) && !settings.denoise;
 }
@@ -180,7 +180,7 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
   }
   RenderResult result = RenderAll(integrator, settings, monitor);
   if (!result.IsComplete()) return {};
-  // Passes were made to be seen; Render has one unless it was asked for more.
+  // Passes were made to be seen; Render has one unless more were requested.
   if (!settings_.wants_passes && !settings_.budget.IsOpen())
     result.passes.erase(result.passes.begin(), result.passes.end() - 1);
   frame_.Put(result.image, 0);

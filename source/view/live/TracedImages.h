@@ -93,7 +93,7 @@ class TracedImages {
   std::shared_ptr<const R2::Image> Current() const;
   void Compare(Comparing how) { comparing_ = how; }
   Comparing HowCompared() const { return comparing_; }
-  /// The RMSE against the reference, or why they cannot be compared, in words.
+  /// Describes the RMSE against the reference, or why they cannot be compared.
   std::string Comparison() const;
   /// The image shown instead of the current image while comparing; null when none is.
   std::shared_ptr<const R2::Image> Compared() const;

@@ -84,7 +84,7 @@ class Search {
 
 enum class Side { lower, upper, left, right };  // of a cell
 
-/// A crossing as one of the two cells beside its grid line sees it.
+/// A crossing as one of the two cells at its grid line sees it.
 struct Visit {
   std::uint64_t cell = 0;
   std::uint32_t instance = 0, crossing = 0;

@@ -29,7 +29,7 @@ struct Slice {
 };
 
 /// The plane with those two axes through a point (`plane` is not camera_row), seen so that its first axis runs to the
-/// right and its second upward, but for yz, where y runs upward. The square is around the middle of the scene and holds
+/// right and its second upward, except yz, where y runs upward. The square is around the middle of the scene and holds
 /// all of its cut.
 Slice AxisSlice(SlicePlane plane, const R3::Point& through, const R3::Box& scene);
 /// The plane through the eye, camera.right and the directions of view through row `y` of an image (in pixels from its
@@ -65,10 +65,10 @@ inline constexpr int most_crossings = 4096;  // of one grid line
 /// All surfaces that the slice cuts, found by asking the shapes themselves: by rays in the plane, `lines` (at least 2)
 /// of them along u and as many along v, each from crossing to crossing.
 ///
-/// Crossings are as exact as any hit. Pieces are not: they say that a surface goes on from one crossing to the next,
-/// which what is smaller than a cell (2 extent / lines) may belie. What lies between two neighboring grid lines both
-/// ways is not found. Of coinciding surfaces only one is found. Surfaces that lie in the plane itself are there
-/// as their shapes answer to rays in them: a box by its outline, a triangle not at all.
+/// Crossings are as exact as any hit. Pieces are not: they assume that a surface continues from one crossing to the
+/// next, which what is smaller than a cell (2 extent / lines) may belie. What lies between two neighboring grid lines
+/// both ways is not found. Of coinciding surfaces only one is found. Surfaces that lie in the plane itself are there as
+/// their shapes answer to rays in them: a box by its outline, a triangle not at all.
 SceneCut CutOf(const World& world, const Accelerator& accelerator, const Slice& slice, int lines);
 
 }  // namespace ray

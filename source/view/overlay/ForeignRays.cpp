@@ -32,7 +32,7 @@ std::optional<RayKind> KindNamed(std::string_view word) {
 
 std::string Name(RayKind kind) { return ray_kind_names[static_cast<std::size_t>(kind)]; }
 
-/// Reads lines of rays, or an .obj file of lines; every mistake is kept, and its line left out.
+/// Reads lines of rays, or an .obj file of lines; every mistake is kept, and its line is ignored.
 class Reader {
  public:
   explicit Reader(const Text& text) : text_(text), tokens_(text, Tokenizer::Comments::hash) {}

@@ -7,7 +7,7 @@
 #include "source/parse/Text.h"
 #include "source/render/PixelTrace.h"
 
-/// Rays of another tracer, such as a student's, beside ours.
+/// Rays of another tracer, such as a student's, shown with ours.
 namespace ray {
 
 /// A ray of another tracer: from its start to where it ends.
@@ -43,7 +43,7 @@ inline constexpr double foreign_length = 5e-3;  // of places, in radii of the sc
 /// The difference of another tracer's rays from ours.
 struct RayDifference {
   std::size_t foreign = 0;          // the ray that differs; or at whose end one is missing
-  std::optional<std::size_t> ours;  // the ray beside it
+  std::optional<std::size_t> ours;  // the ray compared with it
   std::string text;                 // "reflection ray at depth 1: ..."
 };
 

@@ -21,7 +21,7 @@ struct PixelExplanation {
   std::string text;
 };
 
-/// Finds the one ray whose light, left out or counted twice, or the one setting that, changed, brings a pixel nearest
+/// Finds the one ray whose light, omitted or counted twice, or the one setting that, changed, brings a pixel nearest
 /// to the reference. Nothing where the pixel is right within half of 1/255 in each channel, or where more than a tenth
 /// of the difference would be left.
 ///   settings   those that the pixel was traced with

@@ -39,7 +39,7 @@ class RayInspector {
   /// Forgets all rays, for another scene.
   void ForgetAll();
 
-  /// Rays of another tracer, to be seen beside ours from now on, and compared with those of each pixel that is traced.
+  /// Rays of another tracer, to be shown with ours from now on, and compared with those of each pixel that is traced.
   void SetForeign(std::vector<ForeignRay> rays) { foreign_ = std::move(rays); }
   const std::vector<ForeignRay>& Foreign() const { return foreign_; }
   /// The first of them that differs from ours of the pixel; nothing where none does, or there are no rays.

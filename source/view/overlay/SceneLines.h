@@ -53,7 +53,7 @@ Lines CameraLines(const Camera& camera, int width, int height, double distance, 
 /// the scene.
 Lines LightLines(const Scene& scene, const DrawingSpace& space);
 
-/// The lines that the scene itself asks for, in the color of their material.
+/// The lines that the scene itself contains, in the color of their material.
 Lines SceneLineLines(const World& world, const DrawingSpace& space);
 
 /// x red, y green, z blue; `size` in the world.

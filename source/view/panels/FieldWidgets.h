@@ -21,7 +21,7 @@ class FieldWidgets {
   /// All fields of the statement; what is changed is asked of the viewer's editor.
   void Draw(PanelFrame& frame, std::uint32_t statement);
 
-  /// One number by itself; `set` gets what it is to be, and whether that goes on with what the slider did before.
+  /// One number by itself; `set` gets what it is to be, and whether that extends what the slider did before.
   static void DrawNumber(PanelFrame& frame, const std::string& name, double value, const Range& range,
                          const std::function<void(double, bool)>& set);
 

@@ -37,11 +37,11 @@ class PanelFrame {
   bool Check(const std::string& name, bool is_on);
   /// A heading that opens and closes what is below it; whether that is open.
   bool Heading(const char* name, bool is_open_at_first);
-  /// Text that goes on in the next line where the panel ends.
+  /// Writes text, which continues in the next line where the panel ends.
   void Say(const std::string& text);
-  /// A name, and beside it what it is.
+  /// Writes a name and its value.
   void Fact(const std::string& name, const std::string& value);
-  /// Tells scripts of the widget before.
+  /// Registers the last widget for scripts.
   void Note(const std::string& name);
 
  private:
@@ -50,7 +50,7 @@ class PanelFrame {
   std::vector<std::function<void(ViewerState&)>> actions_;
 };
 
-/// The text, or as much of its beginning as has room, in pixels; scripts are told all of it. Letters are of one width.
+/// The text, or as much of its beginning as has room, in pixels; scripts get all of it. Letters are of one width.
 std::string Fitting(const std::string& text, float room);
 
 /// One part of a panel; it may remember what is open in it.
@@ -68,7 +68,7 @@ struct PanelPart {
   std::unique_ptr<Panel> (*make)();
 };
 
-// Numbers as panels show them: rounded, so that they fit beside one another.
+// Numbers as panels show them: rounded, so that they fit side by side.
 
 std::string Brief(double number);
 std::string Brief(const R2::Color& color);

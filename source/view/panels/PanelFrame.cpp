@@ -25,7 +25,7 @@ bool PanelFrame::Button(const std::string& name) {
 }
 
 bool PanelFrame::Choice(const std::string& name, bool is_chosen) {
-  // What is behind the signs tells lines apart that begin alike, and is not shown.
+  // The part after the signs distinguishes lines that begin alike, and is not shown.
   const std::string fitting = Fitting(name, ImGui::GetContentRegionAvail().x);
   const bool is_clicked = ImGui::Selectable((fitting + "##" + name).c_str(), is_chosen);
   Note(name);
@@ -53,7 +53,7 @@ bool PanelFrame::Heading(const char* name, bool is_open_at_first) {
 
 void PanelFrame::Say(const std::string& text) {
   const float room = ImGui::GetContentRegionAvail().x, letter = ImGui::CalcTextSize("0").x;
-  // Dear ImGui would break numbers at their point as well. Scripts are told the text in one line.
+  // Dear ImGui would break numbers at their point as well. Scripts get the text in one line.
   const bool is_logged = ImGui::GetCurrentContext()->LogEnabled;
   if (is_logged || ImGui::CalcTextSize(text.c_str()).x <= room) return ImGui::TextUnformatted(text.c_str());
   std::string lines;

@@ -19,7 +19,7 @@ constexpr std::array letter_files{"/usr/share/fonts/truetype/dejavu/DejaVuSansMo
 /// A gray, or nearly: of equal red and green.
 ImVec4 Gray(float level, float blue) { return {level, level, blue, 1}; }
 
-/// Dear ImGui's own, but for those that are too faint: letters keep 4.5 : 1 to what is behind them, and the
+/// Dear ImGui's own, except those that are too faint: letters keep 4.5 : 1 to what is behind them, and the
 /// frames of what can be clicked 3 : 1.
 ///   source   W3C, Web Content Accessibility Guidelines 2.1, 1.4.3 and 1.4.11
 void MakeReadable(PanelTheme theme, ImGuiStyle& style) {
@@ -50,7 +50,7 @@ void UseLook(PanelTheme theme, double scale) {
   else
     ImGui::StyleColorsLight(&style);
   MakeReadable(theme, style);
-  style.Colors[ImGuiCol_WindowBg].w = 1;  // nothing is behind: the view ends beside the column
+  style.Colors[ImGuiCol_WindowBg].w = 1;  // nothing is behind: the view ends at the column
   style.FrameBorderSize = static_cast<float>(std::max(1.0, std::floor(scale)));
   style.WindowRounding = style.ScrollbarRounding = style.GrabRounding = style.FrameRounding = 0;
   for (const int grip : {ImGuiCol_ResizeGrip, ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive})

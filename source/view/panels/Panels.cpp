@@ -112,7 +112,7 @@ class ImGuiPanels : public Panels {
   ImGuiPanels() : context_(ImGui::CreateContext()) {
     Use();
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = io.LogFilename = nullptr;  // no files that nobody asked for
+    io.IniFilename = io.LogFilename = nullptr;  // no unexpected files
     // The latter lets edges be dragged, whatever the pointer looks like then.
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
     io.ConfigInputTextCursorBlink = false;
@@ -133,7 +133,7 @@ class ImGuiPanels : public Panels {
 
   bool Take(const Event& event, ViewerState& viewer) override {
     Use();
-    // What came up since the last frame is to be there; a field that was to get the keyboard tells so in the third.
+    // What came up since the last frame is to be there; a field that gets the keyboard reports it in the third.
     if (std::exchange(has_new_parts_, false))
       for (int i = 0; i < 3; ++i) MakeFrame(viewer);
     return std::visit([&](const auto& e) { return On(e, viewer); }, event);
@@ -286,7 +286,7 @@ class ImGuiPanels : public Panels {
     PutModifiers(event.modifiers);
     if (event.is_pressed && key == Key::space) ImGui::GetIO().AddInputCharacter(' ');
     MakeFrame(viewer);
-    PutModifiers({});  // nobody tells when they are let go
+    PutModifiers({});  // their release is not reported
     return true;
   }
 

@@ -35,7 +35,7 @@ struct PanelSettings {
   friend bool operator==(const PanelSettings&, const PanelSettings&) = default;
 };
 
-/// All that is written: labels; where they are shown, a column beside the image with facts about the scene and its
+/// All that is written: labels; if they are shown, a column next to the image with facts about the scene and its
 /// rays, and what can be chosen, and a status bar above it; and the help. What they show depends on the events and on
 /// the viewer alone, never on how often they are drawn.
 class Panels {

@@ -30,7 +30,7 @@ std::string Shortened(const std::string& text, std::size_t most) {
 }
 
 std::string NameAndSize(const ViewerState& viewer) {
-  constexpr std::size_t longest = 28;  // letters, so that the progress has room beside it
+  constexpr std::size_t longest = 28;  // letters, so that the progress has room
   return Shortened(std::filesystem::path(viewer.settings.scene).filename().string(), longest) +
          (viewer.editor.HasUnsaved() ? "* " : " ") + std::to_string(viewer.screen.size.width) + "x" +
          std::to_string(viewer.screen.size.height);

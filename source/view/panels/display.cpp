@@ -8,7 +8,7 @@
 #include "source/view/commands/Commands.h"
 #include "source/view/panels/Panel.h"
 
-// What is drawn of the scene and beside it, which keys switch as well.
+// The overlays of the scene, which keys switch as well.
 namespace ray {
 namespace {
 

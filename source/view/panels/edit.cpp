@@ -20,7 +20,7 @@ bool Section(PanelFrame& frame, const char* name, bool is_open_at_first = false)
   return is_open;
 }
 
-/// The next widget, with this label, goes beside the last one if there is room for it.
+/// The next widget, with this label, goes next to the last one if there is room for it.
 void Beside(const char* label) {
   const float square_and_gaps = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;  // of a check box
   ImGui::SameLine();

@@ -56,7 +56,7 @@ class ImagePanel : public Panel {
     frame.Fact("brightest", Brief(histogram_.brightest));
   }
 
-  /// Bars of the square roots of the counts, so that few pixels are seen beside many.
+  /// Bars of the square roots of the counts, so that few pixels are seen next to many.
   void Plot(const PanelFrame& frame) const {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = static_cast<float>(plot_height * frame.scale);

@@ -24,7 +24,7 @@ ImU32 InkOf(const R2::Color& color) {
 /// Draws a bar as wide as the panel, in the colors of `color_at` from 0 to 1, labeled at both ends and in the middle.
 template <typename ColorAt>
 void DrawBar(const ColorAt& color_at, const std::string& low, const std::string& middle, const std::string& high) {
-  constexpr int pieces = 64;  // finer than eyes tell hues apart
+  constexpr int pieces = 64;  // finer than eyes distinguish hues
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
   for (int i = 0; i < pieces; ++i) {

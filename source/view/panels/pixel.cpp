@@ -111,7 +111,7 @@ class PixelPanel : public Panel {
     if (!left_out_.empty()) DrawRest(frame, pixel);
   }
 
-  /// The color of the pixel without the rays that are left out, as a swatch and in numbers.
+  /// The color of the pixel without the rays that are switched off, as a swatch and in numbers.
   void DrawRest(PanelFrame& frame, const PixelTrace& pixel) const {
     R2::Color rest = pixel.Mean();
     for (const std::size_t ray : left_out_) {

@@ -70,7 +70,7 @@ std::optional<FrameState::ShownImage> CoveringImage(const ViewerState& viewer) {
   return image;
 }
 
-/// Sets the parts of a frame that the flat image needs: the slider, what is beside it, and nothing in space.
+/// Sets the parts of a frame that the flat image needs: the slider, the part right of it, and nothing in space.
 void ShowFlat(const ViewerState& viewer, FrameState& shown) {
   if (!viewer.FlatJob() || !shown.covering) return;
   static const auto no_lines = std::make_shared<const Lines>();
