@@ -12,7 +12,6 @@ namespace ray {
 ///   depth   bounces before the ray
 ///   x, y    ends of a line, in pixels from the lower left corner of the whole image
 ///   look    0 where the line is visible, 1 where something hides it; 2 more beyond what blocks a shadow ray
-/// A projection that is not known here has no lines.
 std::string RaysInImage(const PixelTrace& trace, const World& world, const Accelerator& accelerator,
                         const RenderSettings& settings);
 

@@ -31,11 +31,7 @@ struct NumberTexts {
 class TreeWriter {
  public:
   TreeWriter(const PixelTrace& trace, const World& world, std::size_t most_rays, Digits digits)
-      : trace_(trace), world_(world), text_of_{digits}, left_(most_rays), children_(trace.rays.size()) {
-    for (std::size_t i = 0; i < trace.rays.size(); ++i)
-      if (trace.rays[i].parent != RecordedRay::none)
-        children_[static_cast<std::size_t>(trace.rays[i].parent)].push_back(i);
-  }
+      : trace_(trace), world_(world), text_of_{digits}, left_(most_rays), children_(trace.Children()) {}
 
   std::string Write() {
     std::size_t sample = 0;
@@ -126,7 +122,7 @@ class TreeWriter {
   const World& world_;
   NumberTexts text_of_;
   std::size_t left_, cut_ = 0;
-  std::vector<std::vector<std::size_t>> children_;
+  const std::vector<std::vector<std::size_t>> children_;
   std::vector<std::string> lights_;  // in the order of their first mention
   std::string text_;
 };
@@ -139,6 +135,13 @@ R2::Color PixelTrace::Mean() const {
   R2::Color sum;
   for (std::size_t i = 0; i < radiances.size(); ++i) sum += Counted(i);
   return radiances.empty() ? sum : sum / static_cast<double>(radiances.size());
+}
+
+std::vector<std::vector<std::size_t>> PixelTrace::Children() const {
+  std::vector<std::vector<std::size_t>> children(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    if (rays[i].parent != RecordedRay::none) children[static_cast<std::size_t>(rays[i].parent)].push_back(i);
+  return children;
 }
 
 PixelTracer::PixelTracer(const World& world, const Accelerator& accelerator, const RenderSettings& settings)

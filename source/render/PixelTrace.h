@@ -21,6 +21,8 @@ struct PixelTrace {
   /// Returns the value with which sample number `i` counts.
   R2::Color Counted(std::size_t i) const { return clamps_samples ? Clamped(radiances[i]) : radiances[i]; }
   R2::Color Mean() const;
+  /// Returns the children of each ray, in the order in which they were traced.
+  std::vector<std::vector<std::size_t>> Children() const;
 };
 
 /// Traces pixels and records their rays. Uses the integrator and the random choices of Render, so these are the rays of

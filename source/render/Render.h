@@ -71,7 +71,10 @@ struct RenderSummary {
   // the light there is as bright as the image.
   double share_cut = 0;
   /// Returns true if users should know of the light that is missing.
-  bool MissesLight() const { return share_cut > 0.02; }
+  bool MissesLight() const {
+    constexpr double least = 0.02;  // five of 255 levels, in white
+    return share_cut > least;
+  }
   Stop stop = Stop::samples;
   SampleCounts samples;
   std::vector<std::uint32_t> block_samples;  // per pixel and stream, by blocks of the film

@@ -78,7 +78,7 @@ struct Replay {
   std::vector<std::uint32_t> samples;
   // places looked at in blocks without samples; empty if all blocks have samples
   std::vector<std::uint8_t> places;
-  bool denoised = true;                    // false if there was no time for the requested denoising
+  bool denoised = true;                    // false if the requested denoising was omitted
   std::optional<Refinement> refinement{};  // std::nullopt: in proportion to the samples
   // the error decided, so its history affects the estimate
   bool looked_at_error = false;

@@ -129,6 +129,10 @@ std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const Rend
   return sources;
 }
 
+bool CutsLight(const std::string& source) {
+  return source.starts_with("max_depth") || source.starts_with("min_luminance");
+}
+
 std::vector<std::string> CropDifferences(const RenderSettings& settings) {
   std::vector<std::string> differences;
   if (!settings.crop) return differences;

@@ -33,6 +33,8 @@ std::string KernelName(const SceneFeatures& features, const RenderSettings& sett
 /// Returns the effective settings that change the mean of the image from that of its mode without limits: "max_depth
 /// 3".
 std::vector<std::string> SourcesOfBias(const SceneFeatures& features, const RenderSettings& settings);
+/// Returns true for one of them that cuts light off, "max_depth 3" or "min_luminance 0.01".
+bool CutsLight(const std::string& source);
 
 /// Returns the effective settings for which the pixels of a crop differ from those of the whole image, since they
 /// decide by the whole rendered region or by the clock: "error 2". Empty if the whole image is rendered.

@@ -147,7 +147,8 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   if (pass.error && Suffices(*pass.error)) return Stop::error;
   if (error && pass.has_stalled && ceiling_ == most_samples && budget_.seconds == 0) return Stop::stall;
   const bool goes_as_far_as_time = pass.is_of_many_machines && budget_.seconds > 0 && !budget_.error;
-  std::uint32_t end = goes_as_far_as_time ? ceiling_ : std::min(ceiling_, noisy ? NextEndIfDenoised(*error, *noisy) : NextEnd(error));
+  const std::uint32_t next = noisy ? NextEndIfDenoised(*error, *noisy) : NextEnd(error);
+  std::uint32_t end = goes_as_far_as_time ? ceiling_ : std::min(ceiling_, next);
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
   if (error && budget_.adaptive != Adaptive::off) targets = ChooseBlocks(end, *error);
   // After a pass that was shortened for some blocks, others may already have more.

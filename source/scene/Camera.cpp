@@ -37,9 +37,18 @@ double Camera::Extent(double distance) const {
   return kind->extent == CameraExtent::width ? 2 * HalfWidth() * distance : Fov();
 }
 
+namespace {
+
+/// Returns half the height of an image, in half widths.
+double HalfHeightInWidths(const Camera& camera, int width, int height) {
+  const double seen = camera.kind->aspect > 0 ? camera.kind->aspect : camera.aspect;
+  return seen > 0 ? 1 / seen : static_cast<double>(height) / width;
+}
+
+}  // namespace
+
 std::optional<SightLine> Camera::Sight(double x, double y, int width, int height) const {
-  const double seen = kind->aspect > 0 ? kind->aspect : aspect;
-  const double half_height = seen > 0 ? 1 / seen : static_cast<double>(height) / width;  // in half widths
+  const double half_height = HalfHeightInWidths(*this, width, height);
   return kind->sight(*this, {2 * x / width - 1 + shift.x, (2 * y / height - 1) * half_height + shift.y});
 }
 
@@ -48,6 +57,18 @@ std::optional<R3::Ray> Camera::RayThrough(double x, double y, int width, int hei
   const auto sight = Sight(x, y, width, height);
   if (!sight) return {};
   return R3::Ray{sight->origin, sight->direction};
+}
+
+std::optional<R2::Point> Camera::PlaceOf(const R3::Point& p, int width, int height) const {
+  const R3::Vector d = p - eye, from_eye{Dot(d, right), Dot(d, up), Dot(d, towards)};
+  const double half = from_eye.z * HalfWidth();  // of the pinhole's view, at that depth
+  const R2::Vector place =
+      IsPinhole() ? R2::Vector{from_eye.x / half, from_eye.y / half} : kind->place(*this, from_eye);
+  const R2::Point at{width * (place.x - shift.x + 1) / 2,
+                     height * ((place.y - shift.y) / HalfHeightInWidths(*this, width, height) + 1) / 2};
+  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return {};
+  const auto ray = RayThrough(at.x, at.y, width, height);
+  return ray && Dot(p - ray->origin, ray->direction) > 0 ? std::optional(at) : std::nullopt;
 }
 
 AimedCamera Aim(const R3::Point& eye, const R3::Vector& towards, const R3::Vector& up) {

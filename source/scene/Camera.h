@@ -55,6 +55,10 @@ struct Camera {
   std::optional<SightLine> Sight(double x, double y, int width, int height) const;
   /// Returns the ray through a point of the image for any kind of camera; std::nullopt outside of its view.
   std::optional<R3::Ray> RayThrough(double x, double y, int width, int height) const;
+  /// Returns the point of the image at which `p` is seen, as RayThrough counts, perhaps outside of the image; the
+  /// inverse of RayThrough, up to rounding; the place nearest to the axis if a shifted panorama sees p twice. std::nullopt
+  /// if no ray of the view meets p.
+  std::optional<R2::Point> PlaceOf(const R3::Point& p, int width, int height) const;
 };
 
 /// A camera looking along `towards` (not zero) with `up` made perpendicular: right = unit(towards x up), up =

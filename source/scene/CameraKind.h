@@ -34,6 +34,9 @@ struct CameraKind {
   /// Returns the sight line at a point of the image, in half widths to the right of the axis and up; std::nullopt
   /// outside of the view. Null for the pinhole, whose rays are computed by Camera::Through.
   std::optional<SightLine> (*sight)(const Camera& camera, const R2::Vector& place) = nullptr;
+  /// Returns the place, in half widths, at which a point is seen, given from the eye along `right`, `up` and `towards`;
+  /// arbitrary for a point that no sight line meets. Null for the pinhole.
+  R2::Vector (*place)(const Camera& camera, const R3::Vector& from_eye) = nullptr;
 };
 
 extern const CameraKind pinhole_camera;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <future>
 #include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,13 @@ class LatestJob {
   void Begin(std::function<Result()> compute) {
     constexpr std::chrono::milliseconds moment{20};
     Drop();
-    current_ = std::async(std::launch::async, std::move(compute));
+    try {
+      current_ = std::async(std::launch::async, compute);
+    } catch (const std::system_error&) {  // no more threads are available
+      std::packaged_task<Result()> task(std::move(compute));
+      current_ = task.get_future();
+      task();
+    }
     current_.wait_for(moment);
   }
   void Drop() {
@@ -26,10 +33,11 @@ class LatestJob {
     if (current_.valid()) dropped_.push_back(std::move(current_));
   }
   bool IsBusy() const { return current_.valid(); }
+  bool IsComplete() const { return IsBusy() && IsComplete(current_); }
   /// Returns the result, once; std::nullopt if there is none, or if it is not complete and need not be waited for.
   /// Throws what the computation has thrown.
   std::optional<Result> Take(bool waits = false) {
-    if (!current_.valid() || (!waits && !IsComplete(current_))) return {};
+    if (!IsBusy() || (!waits && !IsComplete())) return {};
     return current_.get();
   }
 

@@ -1,7 +1,6 @@
 #include "source/view/SceneReader.h"
 
 #include <filesystem>
-#include <optional>
 #include <utility>
 
 #include "source/render/forecast/SecondsOf.h"
@@ -18,13 +17,14 @@ void SceneReader::Read(const std::string& file, const ParseOptions& parse, const
 }
 
 void SceneReader::Update(bool waits) {
-  const Refuse refuse = refuse_;  // `show` may read another scene
+  if (!job_.IsBusy() || (!waits && !job_.IsComplete())) return;
+  // They may read another scene.
+  const Show show = std::exchange(show_, nullptr);
+  const Refuse refuse = std::exchange(refuse_, nullptr);
   try {
-    std::optional<Scene> scene = job_.Take(waits);
-    if (!scene) return;
+    Scene scene = *job_.Take(true);
     seconds_ = SecondsSince(begin_);
-    const Show show = std::exchange(show_, nullptr);
-    show(std::move(*scene));
+    show(std::move(scene));
   } catch (const std::exception& error) {
     refuse(error);
   }

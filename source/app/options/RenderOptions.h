@@ -28,12 +28,13 @@ struct CheckpointOptions {
   bool resume = false, restart = false, keep = false;
 };
 
-/// The image of a scene that sets neither size nor samples. If the command line chooses the size, what it leaves open has
-/// the course's defaults, those of RenderSettings: 256 pixels and one sample.
+/// The size of an image if neither the scene nor the command line chooses it, and its samples. If only a side of it is
+/// chosen, the other one and the samples have the course's defaults, those of RenderSettings: 256 pixels, one sample.
 struct DefaultImage {
   int side = 1024;                   // of the square, pixels
   int samples = 16;                  // per pixel, unless they are chosen, or a budget
-  int samples_of_a_chosen_size = 1;  // likewise, if the command line chooses the size
+  int samples_of_a_chosen_size = 1;  // likewise, if the scene or the command line chooses the size
+  bool has_its_samples = false;      // neither scene nor options choose the samples
 };
 
 /// The options of raypro and rayview. Ranges, units and help are in the option table; the defaults are here.

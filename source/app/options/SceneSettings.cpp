@@ -122,23 +122,23 @@ void CheckFlare(const Camera& camera, const RenderOptions& options) {
   throw error;
 }
 
-/// Applies the default image, as far as nothing chooses another one.
+}  // namespace
+
 void CompleteImage(const Scene& scene, RenderOptions& options) {
   const auto sets = [&](const char* name) {
     return std::ranges::any_of(scene.settings, [&](const SceneSetting& setting) { return setting.option == name; });
   };
-  const bool is_of_scene = sets("width") || sets("height") || sets("samples"),
-             has_samples = options.IsGiven("samples") || IsSetByPreset(options.quality, "samples") ||
-                           options.render.budget.IsOpen() || !options.files.replay.empty(),
-             has_size = options.IsGiven("width") || options.IsGiven("height");
-  if (is_of_scene || options.as_course) return;
+  const auto is_chosen = [&](const char* name) { return options.IsGiven(name) || sets(name); };
+  const bool has_size = is_chosen("width") || is_chosen("height");
   RenderSettings& render = options.render;
-  const DefaultImage& image = options.default_image;
+  DefaultImage& image = options.default_image;
+  image.has_its_samples =
+      !(is_chosen("samples") || IsSetByPreset(options.quality, "samples") || !options.files.replay.empty());
+  if (options.as_course) return;
   if (!has_size) render.width = render.height = image.side;
-  if (!has_samples) render.samples = has_size ? image.samples_of_a_chosen_size : image.samples;
+  if (image.has_its_samples && !render.budget.IsOpen())
+    render.samples = has_size ? image.samples_of_a_chosen_size : image.samples;
 }
-
-}  // namespace
 
 std::optional<SettingProblem> ProblemOf(const SceneSetting& setting) {
   const OptionKind* option = OptionOf(setting, Program::raypro);

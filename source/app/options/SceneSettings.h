@@ -19,6 +19,9 @@ Own WithSettingsOf(const Scene& scene, Own options) {
   return options;
 }
 
+/// Applies the default image, unless the scene or the options choose another one; ApplySettings does.
+void CompleteImage(const Scene& scene, RenderOptions& options);
+
 /// Returns "-max_depth 2 (room.scn:12:3)" for each effective setting of the scene.
 std::vector<std::string> SettingsInForce(const Scene& scene, const RenderOptions& options);
 

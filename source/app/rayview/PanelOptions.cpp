@@ -1,8 +1,11 @@
 #include "source/app/rayview/PanelOptions.h"
 
+#include <string_view>
+
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/RenderChecks.h"
+#include "source/app/options/SceneSettings.h"
 #include "source/text/Words.h"
 
 namespace ray {
@@ -31,13 +34,15 @@ std::vector<ShownOption> OptionsOfPanels(const ViewerOptions& options) {
   return shown;
 }
 
-ViewerOptions WithOption(const ViewerOptions& options, const std::string& name, const std::string& value) {
+ViewerOptions WithOption(const Scene& scene, const ViewerOptions& options, const std::string& name,
+                         const std::string& value) {
   std::vector<std::string> words{options.files.scene};
   const auto add = [&](const std::vector<std::string>& more) { words.insert(words.end(), more.begin(), more.end()); };
   for (const OptionKind& option : OptionTable(Program::rayview)) {
     if (!IsSetting(option)) continue;
+    const bool is_default = options.default_image.has_its_samples && option.name == std::string_view("samples");
     if (name != option.name) {
-      add(options.TypedFor(Program::rayview, option));
+      if (!is_default) add(options.TypedFor(Program::rayview, option));
     } else if (!value.empty()) {
       // A value that looks like an option needs "=".
       const std::vector<std::string> behind = WordsFor(option, value);
@@ -48,6 +53,7 @@ ViewerOptions WithOption(const ViewerOptions& options, const std::string& name, 
     }
   }
   ViewerOptions changed = ReadCommandLine<ViewerOptions>(Program::rayview, words);
+  CompleteImage(scene, changed);
   CompleteForScene(changed);
   CheckMachine(changed.render, changed.accelerator);
   return changed;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "source/app/options/ViewerOptions.h"
+#include "source/scene/Scene.h"
 #include "source/view/ViewerHost.h"
 
 /// rayview's options that can be changed while it runs.
@@ -13,7 +14,8 @@ namespace ray {
 std::vector<ShownOption> OptionsOfPanels(const ViewerOptions& options);
 
 /// Returns the options as if all current values had been typed, with this value of one option of OptionsOfPanels, empty
-/// for its default. The scene's settings count as typed. Throws UsageError.
-ViewerOptions WithOption(const ViewerOptions& options, const std::string& name, const std::string& value);
+/// for its default. The scene's settings count as typed, the samples of the default image do not. Throws UsageError.
+ViewerOptions WithOption(const Scene& scene, const ViewerOptions& options, const std::string& name,
+                         const std::string& value);
 
 }  // namespace ray

@@ -81,9 +81,7 @@ std::string FreeRaysName() {
 ViewerSettings SettingsFor(const ViewerOptions& options) {
   ViewerSettings settings{options.files.scene, options.parse, options.accelerator, options.render, {}};
   settings.shows_bar = IsLookedAt(options.view);
-  const int samples = options.render.samples;
-  const bool has_samples = options.IsGiven("samples") || (samples > 1 && samples != options.default_image.samples);
-  settings.budget_of_rest = IsLookedAt(options.view) && !has_samples;
+  settings.budget_of_rest = IsLookedAt(options.view) && options.default_image.has_its_samples;
   settings.shows_traced = options.view.preview == "auto" ? IsLookedAt(options.view) && !options.view.exit_immediately
                                                          : options.view.preview == "traced";
   return settings;
@@ -262,7 +260,7 @@ class Session : public ViewerHost {
   }
   std::vector<ShownOption> ShownOptions() override { return OptionsOfPanels(options_); }
   ViewerSettings ChangeOption(const std::string& name, const std::string& value) override {
-    options_ = WithOption(options_, name, value);
+    options_ = WithOption(viewer_.scene().parsed.scene, options_, name, value);
     changes_.emplace_back(name, value);
     return SettingsFor(options_);
   }
@@ -271,7 +269,7 @@ class Session : public ViewerHost {
       if (std::ranges::find(inputs_, file) == inputs_.end()) inputs_.push_back(file);
     if (!scene.files.empty()) recent_.Add(scene.files.front());
     ViewerOptions options = WithSettingsOf(scene, asked_);
-    for (const auto& [name, value] : changes_) options = WithOption(options, name, value);
+    for (const auto& [name, value] : changes_) options = WithOption(scene, options, name, value);
     options_ = std::move(options);
     return SettingsFor(options_);
   }

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "source/app/options/RayproCommand.h"
+#include "source/render/SceneFeatures.h"
 #include "source/render/forecast/ErrorForecast.h"
 #include "source/scene/CameraText.h"
 #include "source/text/Quoting.h"
@@ -67,10 +68,6 @@ std::string CostPerRay(const RayCounts::Kind& kind) {
 /// Returns " (too dark by about 2%)" if settings cut off light.
 std::string DarknessText(const RunStats& stats) {
   return stats.share_cut > 0 ? " (too dark by about " + Rounded(100 * stats.share_cut, 2) + "%)" : "";
-}
-
-bool CutsLight(const std::string& setting) {
-  return setting.starts_with("max_depth") || setting.starts_with("min_luminance");
 }
 
 /// Returns "-max_depth 3, -sampler grid", of the settings that cut light off or of the others.

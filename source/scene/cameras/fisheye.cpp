@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include "R1/Elementary.h"
 #include "source/scene/Camera.h"
@@ -21,6 +22,14 @@ std::optional<SightLine> FisheyeSight(const Camera& camera, const R2::Vector& pl
                    cosine * aside - sine * around, sine * aside + cosine * around};
 }
 
+R2::Vector FisheyePlace(const Camera& camera, const R3::Vector& from_eye) {
+  constexpr double half_degrees = 360 / std::numbers::pi;  // of a radian
+  const double aside = R1::Hypot(from_eye.x, from_eye.y);
+  if (!(aside > 0)) return {};
+  const double radius = R1::Atan2(aside, from_eye.z) * half_degrees / camera.Extent();
+  return {radius * from_eye.x / aside, radius * from_eye.y / aside};
+}
+
 }  // namespace
 
 extern const CameraKind fisheye_camera{
@@ -30,6 +39,7 @@ extern const CameraKind fisheye_camera{
         "(equidistant), up to 360 degrees across; black around it",
     .extent = CameraExtent::angle,
     .is_panoramic = true,
-    .sight = FisheyeSight};
+    .sight = FisheyeSight,
+    .place = FisheyePlace};
 
 }  // namespace ray

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include "R1/Elementary.h"
 #include "source/scene/Camera.h"
@@ -16,6 +17,11 @@ std::optional<SightLine> LatlongSight(const Camera& camera, const R2::Vector& pl
   return SightLine{camera.eye, upward.cosine * level + upward.sine * camera.up, camera.right, camera.up};
 }
 
+R2::Vector LatlongPlace(const Camera&, const R3::Vector& from_eye) {
+  const double level = R1::Hypot(from_eye.x, from_eye.z);
+  return {R1::Atan2(from_eye.x, from_eye.z) / std::numbers::pi, R1::Atan2(from_eye.y, level) / std::numbers::pi};
+}
+
 }  // namespace
 
 extern const CameraKind latlong_camera{
@@ -25,6 +31,7 @@ extern const CameraKind latlong_camera{
         "high, pixels of the middle row are square. It has no angle and no lens",
     .aspect = 2,
     .has_lens = false,
-    .sight = LatlongSight};
+    .sight = LatlongSight,
+    .place = LatlongPlace};
 
 }  // namespace ray

@@ -10,6 +10,11 @@ std::optional<SightLine> OrthographicSight(const Camera& camera, const R2::Vecto
                    camera.right, camera.up};
 }
 
+R2::Vector OrthographicPlace(const Camera& camera, const R3::Vector& from_eye) {
+  const double half = camera.Extent() / 2;
+  return {from_eye.x / half, from_eye.y / half};
+}
+
 }  // namespace
 
 extern const CameraKind orthographic_camera{
@@ -18,6 +23,7 @@ extern const CameraKind orthographic_camera{
         "parallel rays, so that sizes do not depend on distances; its number is the visible width, "
         "by default that of the pinhole at the middle of the scene",
     .extent = CameraExtent::width,
-    .sight = OrthographicSight};
+    .sight = OrthographicSight,
+    .place = OrthographicPlace};
 
 }  // namespace ray

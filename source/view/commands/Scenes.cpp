@@ -68,6 +68,10 @@ void ChangeOption(ViewerState& viewer, const std::string& name, const std::strin
     viewer.option_changes.problem = "an image is being rendered; Escape stops it";
     return viewer.notices.Show(viewer.option_changes.problem);
   }
+  if (viewer.reader.IsReadingEdit()) {  // which reading with another option would replace
+    viewer.option_changes.problem = "wait: " + viewer.reader.Describe();
+    return viewer.notices.Show(viewer.option_changes.problem);
+  }
   ViewerSettings changed;
   try {
     changed = viewer.host.ChangeOption(name, value);

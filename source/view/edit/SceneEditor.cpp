@@ -475,6 +475,7 @@ void SceneEditor::Redo() {
 
 void SceneEditor::Save() {
   if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Show(why);
+  if (MustWait()) return;
   if (!is_unsaved_) return viewer_.notices.Show("there is nothing to save");
   std::string saved, replaced;
   std::vector<const ScnPlaces::File*> changed;
@@ -504,6 +505,7 @@ void SceneEditor::Save() {
 
 void SceneEditor::SaveCopy() {
   if (const std::string why = WhyNot(); !why.empty()) return viewer_.notices.Show(why);
+  if (MustWait()) return;
   const auto& files = Places().files;
   const ScnPlaces::File& top = files.front();
   for (const ScnPlaces::File& file : files)

@@ -42,16 +42,15 @@ std::string ClaimOf(const RenderResult& result) {
          ErrorText(e.estimate, e.unit) + " (" + Rounded(e.low, 3) + " to " + Rounded(e.high, 3) + "), " + samples;
 }
 
+namespace {
+
 std::string MissingLightOf(const RenderJob& job) {
   if (!job.IsComplete() || !job.Result()->MissesLight()) return {};
   std::string limits;
-  for (const std::string& setting : SourcesOfBias(FeaturesOf(job.scene().world, job.Settings()), job.Settings()))
-    if (setting.starts_with("max_depth") || setting.starts_with("min_luminance"))
-      limits += (limits.empty() ? "-" : ", -") + setting;
-  return limits.empty() ? "" : Rounded(100 * job.Result()->share_cut, 2) + "% of the light ended at " + limits;
+  for (const std::string& source : SourcesOfBias(FeaturesOf(job.scene().world, job.Settings()), job.Settings()))
+    if (CutsLight(source)) limits += (limits.empty() ? "-" : ", -") + source;
+  return Rounded(100 * job.Result()->share_cut, 2) + "% of the light ended at " + limits;
 }
-
-namespace {
 
 constexpr double seconds_between_statuses = 0.25;  // slow enough for digits to be read
 
@@ -59,7 +58,7 @@ constexpr double seconds_between_statuses = 0.25;  // slow enough for digits to 
 
 void RenderStatus::Update(const TracedImages& traced, double now) {
   const RenderJob* job = traced.Job();
-  if (!job) return text_.clear();
+  if (!job) return text_.clear(), missing_light_.clear();
   const auto look = [&] { return Seen{traced.JobNumber(), job->Samples(), job->HasEnded()}; };
   const bool is_recent = now - since_ < seconds_between_statuses;
   if (look() == seen_ && (seen_.has_ended || is_recent)) return;
@@ -67,6 +66,7 @@ void RenderStatus::Update(const TracedImages& traced, double now) {
   do {  // again where a pass has ended meanwhile
     seen_ = look();
     text_ = StatusOf(*job);
+    missing_light_ = MissingLightOf(*job);
   } while (look() != seen_);
 }
 

@@ -14,10 +14,6 @@ std::string StatusOf(const RenderJob& job);
 /// Returns the claim of a complete job: "estimated error 1.8/255 (1.7 to 1.9), 64 samples".
 std::string ClaimOf(const RenderResult& result);
 
-/// Returns "30% of the light ended at -max_depth 3, -min_luminance 0.01" for an image that is too dark by so much;
-/// empty for others.
-std::string MissingLightOf(const RenderJob& job);
-
 /// The progress of the image, as text that changes slowly enough to be read.
 class RenderStatus {
  public:
@@ -25,6 +21,9 @@ class RenderStatus {
   void Update(const TracedImages& traced, double now);
   /// "4 of 16 samples 31 % 0.5 Mrays/s 12 s left"; empty without any image.
   const std::string& Text() const { return text_; }
+  /// Returns "30% of the light ended at -max_depth 3, -min_luminance 0.01" for a complete image that is too dark by so
+  /// much; empty for others.
+  const std::string& MissingLight() const { return missing_light_; }
 
  private:
   struct Seen {
@@ -33,7 +32,7 @@ class RenderStatus {
     bool has_ended = false;
     friend bool operator==(const Seen&, const Seen&) = default;
   };
-  std::string text_;
+  std::string text_, missing_light_;
   Seen seen_;          // what the text was made for
   double since_ = -1;  // seconds of ticks
 };

@@ -135,13 +135,12 @@ class PixelPanel : public Panel {
     const R2::Image* const reference = frame.viewer.traced.Reference().get();
     if (std::exchange(trace_, trace) == trace && std::exchange(reference_, reference) == reference) return;
     rays_.Forget();
-    children_.assign(pixel.rays.size(), {});
+    children_ = pixel.Children();
     contribution_ = SubtreeLight(pixel);
     roots_.clear();
     left_out_.clear();
     for (std::size_t i = 0; i < pixel.rays.size(); ++i)
-      (pixel.rays[i].parent == RecordedRay::none ? roots_ : children_[static_cast<std::size_t>(pixel.rays[i].parent)])
-          .push_back(i);
+      if (pixel.rays[i].parent == RecordedRay::none) roots_.push_back(i);
     const auto light = [&](std::size_t i) { return -Luminance(contribution_[i]); };
     for (auto& children : children_) std::ranges::stable_sort(children, {}, light);
     if (roots_.size() == 1) rays_.SetOpen(roots_[0], true);

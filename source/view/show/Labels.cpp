@@ -9,7 +9,6 @@
 #include "source/text/Words.h"
 #include "source/view/HelpText.h"
 #include "source/view/commands/Commands.h"
-#include "source/view/live/JobStatus.h"
 
 namespace ray {
 namespace {
@@ -106,8 +105,8 @@ std::vector<Label> MakeLabels(const ViewerState& viewer) {
   }
   if (viewer.scene.ShowsNothing() && viewer.scene.Mistakes().empty())
     upper.emplace_back("the scene has no shapes", text_color);
-  if (const RenderJob* job = viewer.Parts().bar ? viewer.traced.Job() : nullptr)
-    if (std::string text = MissingLightOf(*job); !text.empty()) upper.emplace_back(std::move(text), text_color);
+  if (viewer.Parts().bar && !viewer.status.MissingLight().empty())
+    upper.emplace_back(viewer.status.MissingLight(), text_color);
   if (std::string text = viewer.traced.ScaleOfComparison(); !text.empty())
     upper.emplace_back(std::move(text), text_color);
   if (std::string text = TextOfProjection(viewer); !text.empty()) upper.emplace_back(std::move(text), text_color);

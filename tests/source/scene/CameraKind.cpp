@@ -78,6 +78,36 @@ TEST(CameraKind, EveryProjectionIsInvertedByItsEquations) {
   }
 }
 
+TEST(CameraKind, APointOfARayIsSeenWhereTheRayIs) {
+  Draw draw(4103);
+  for (const CameraKind* kind : CameraKinds()) {
+    int seen = 0;
+    for (int i = 0; i < 2000; ++i) {
+      Camera camera = AnyCamera(*kind, draw);
+      camera.shift = {draw.Between(-0.3, 0.3), draw.Between(-0.3, 0.3)};
+      if (draw.Whole(0, 1)) camera.aspect = draw.Between(0.5, 2);
+      const double x = draw.Between(0, width), y = draw.Between(0, height), t = draw.Between(0.5, 2);
+      const auto ray = camera.RayThrough(x, y, width, height);
+      if (!ray) continue;
+      ++seen;
+      const auto place = camera.PlaceOf(ray->At(t), width, height);
+      ASSERT_TRUE(place) << kind->name << " " << x << " " << y;
+      // A shifted panorama sees some directions twice.
+      const auto same = camera.RayThrough(place->x, place->y, width, height);
+      ASSERT_TRUE(same) << kind->name;
+      EXPECT_LT(Length(same->origin - ray->origin), 1e-9 * camera.Extent()) << kind->name;
+      EXPECT_LT(Length(Unit(same->direction) - Unit(ray->direction)), 1e-9) << kind->name;
+      if (!kind->is_panoramic && kind->extent != CameraExtent::none) {
+        EXPECT_NEAR(place->x, x, 1e-9 * width) << kind->name;
+        EXPECT_NEAR(place->y, y, 1e-9 * width) << kind->name;
+        EXPECT_FALSE(camera.PlaceOf(ray->At(-t), width, height)) << kind->name << ": it is behind the eye";
+      }
+    }
+    EXPECT_GT(seen, 1000) << kind->name;
+    EXPECT_FALSE(AnyCamera(*kind, draw).PlaceOf({NAN, 0, 0}, width, height)) << kind->name;
+  }
+}
+
 TEST(CameraKind, AFisheyeSeesNothingOutsideOfItsCircle) {
   Draw draw(4101);
   const CameraKind& fisheye = *FindCameraKind("fisheye");

@@ -117,6 +117,10 @@ TEST_F(SlowScenes, LetOneEditFollowTheOther) {
   EXPECT_EQ(viewer_->Message().substr(0, 22), "wait: reading slow.scn");
   editor.Undo();
   EXPECT_EQ(viewer_->Message(), "nothing to undo");
+  Happen("key Control+S");
+  EXPECT_EQ(viewer_->Message().substr(0, 22), "wait: reading slow.scn") << "what is not read yet is not saved";
+  ChangeOption(viewer_->state(), "accelerator", "grid");
+  EXPECT_EQ(viewer_->Message().substr(0, 22), "wait: reading slow.scn");
   // Whoever opens another scene now would lose the edit.
   Drop("small.scn");
   EXPECT_NE(viewer_->Message().find("unsaved changes"), std::string::npos) << viewer_->Message();

@@ -52,7 +52,8 @@ TEST(SceneSettings, NeitherTheyNorTheCommandLineChooseTheDefaultImage) {
   EXPECT_EQ(ImageOf(scene, {"-width", "300"}), "300x256 1") << "the course's defaults";
   EXPECT_EQ(ImageOf(scene, {"-height", "300", "-samples", "9"}), "256x300 9");
   EXPECT_EQ(ImageOf(With({{"width", "40", "x"}}), {}), "40x256 1");
-  EXPECT_EQ(ImageOf(With({{"samples", "3", "x"}}), {}), "256x256 3");
+  EXPECT_EQ(ImageOf(With({{"samples", "3", "x"}}), {}), "1024x1024 3");
+  EXPECT_EQ(ImageOf(With({{"samples", "3", "x"}}), {"-height", "50"}), "256x50 3");
 }
 
 TEST(SceneSettings, ARequestedPresetComesBeforeThem) {

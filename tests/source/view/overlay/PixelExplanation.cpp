@@ -56,7 +56,8 @@ TEST_F(Explained, IsABounceOrAShadow) {
   unshadowed.trace.shadows = false;
   int found = 0;
   for (int column = 0; column < 80; ++column)
-    for (int row = 0; row < 30; row += 3) found += Why(scene, scene, unshadowed, column, row).find("shadow") != std::string::npos;
+    for (int row = 0; row < 30; row += 3)
+      found += Why(scene, scene, unshadowed, column, row).find("shadow") != std::string::npos;
   EXPECT_GT(found, 5) << "in the shadow of the ball";
 }
 

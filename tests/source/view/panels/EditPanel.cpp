@@ -6,13 +6,12 @@
 #include <fstream>
 #include <optional>
 
-#include "tests/source/view/ScriptedViewer.h"
-#include "tests/source/view/WithOptions.h"
+#include "tests/source/view/panels/PanelTest.h"
 
 namespace ray {
 namespace {
 
-class EditPanelTest : public ScriptedViewer<WithOptions, 900, 2400> {
+class EditPanelTest : public UserOfPanels<900, 2400> {
  protected:
   void SetUp() override {
     Open(scenes_ / "hello.scn");
@@ -20,20 +19,7 @@ class EditPanelTest : public ScriptedViewer<WithOptions, 900, 2400> {
     Click("cone, line 18");
     for (const char* section : {"Material", "Lights", "Camera and lens", "Sky"}) Click(section);
   }
-  std::optional<PanelItem> Find(const std::string& start) {
-    viewer_->Show();
-    viewer_->Reveal(start);
-    const auto& items = viewer_->ItemsOfPanels();
-    const auto found = std::ranges::find_if(items, [&](const PanelItem& i) { return i.name.starts_with(start); });
-    return found == items.end() ? std::nullopt : std::optional(*found);
-  }
   static std::string At(double x, double y) { return std::to_string(x) + " " + std::to_string(y); }
-  void Click(const std::string& start) {
-    const auto item = Find(start);
-    ASSERT_TRUE(item) << "there is no " << start << " in\n" << viewer_->TextOfPanels();
-    Do("click left " + At(item->x, item->y));
-  }
-  bool Says(const std::string& words) { return viewer_->TextOfPanels().find(words) != std::string::npos; }
   const Material& Red() const { return viewer_->scene().parsed.scene.materials[4]; }
 
   CopiedScenes scenes_;

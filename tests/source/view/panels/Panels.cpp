@@ -11,31 +11,10 @@
 #include "source/text/NumberText.h"
 #include "source/view/KeyBindings.h"
 #include "source/view/commands/Commands.h"
-#include "tests/source/view/ScriptedViewer.h"
-#include "tests/source/view/WithOptions.h"
+#include "tests/source/view/panels/PanelTest.h"
 
 namespace ray {
 namespace {
-
-/// A viewer whose user looks at panels.
-class PanelTest : public ScriptedViewer<WithOptions, 512, 512> {
- protected:
-  bool HasItem(const std::string& start) { return Find(start).has_value(); }
-  /// The first thing that takes clicks whose name begins so.
-  void Click(const std::string& start, double right_of_middle = 0) {
-    const auto item = Find(start);
-    ASSERT_TRUE(item) << "there is no " << start << " in\n" << viewer_->TextOfPanels();
-    Do("click left " + std::to_string(item->x + right_of_middle) + " " + std::to_string(item->y));
-  }
-  std::optional<PanelItem> Find(const std::string& start) {
-    viewer_->Show();
-    viewer_->Reveal(start);
-    const auto& items = viewer_->ItemsOfPanels();
-    const auto found = std::ranges::find_if(items, [&](const PanelItem& i) { return i.name.starts_with(start); });
-    return found == items.end() ? std::nullopt : std::optional(*found);
-  }
-  bool Says(const std::string& words) { return viewer_->TextOfPanels().find(words) != std::string::npos; }
-};
 
 TEST_F(PanelTest, AreHiddenUntilTabShowsThem) {
   EXPECT_FALSE(viewer_->Show().panels);
@@ -480,95 +459,6 @@ TEST_F(PanelTest, TheDisplayPanelSetsBoxesCutsAndViewAngle) {
   Click("slide view angle");
   EXPECT_GT(viewer_->navigator().camera().xfov, before) << "the middle of the slider is a wide angle";
   EXPECT_NEAR(viewer_->navigator().camera().Fov(), 77.5, 2);
-}
-
-TEST_F(PanelTest, TheHelpIsSearchedByTyping) {
-  for (const char* panels : {"tick 0.1", "key Tab"}) {
-    Do(std::string("resize 800 800\n") + panels);
-    Do("key H");
-    const std::string all = viewer_->TextOfPanels();
-    for (const HelpRow& row : RowsOfHelp()) EXPECT_NE(all.find(row.text.substr(0, 20)), std::string::npos) << row.text;
-    Do("type EXPOS");
-    EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
-    EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
-    Do("key Escape");
-    EXPECT_FALSE(Says("reset the exposure")) << viewer_->TextOfPanels();
-    Do("key H");
-    EXPECT_TRUE(Says("bookmark")) << "it opens whole again";
-    Do("key Escape");
-  }
-}
-
-// A window tells of the letter after the key, and that would be searched for.
-TEST_F(PanelTest, TheLetterThatOpensTheHelpIsNotSearchedFor) {
-  Do("press H\ntype h\nrelease H");
-  EXPECT_TRUE(Says("toggle faces")) << viewer_->TextOfPanels();
-  Do("type hh");
-  EXPECT_FALSE(Says("toggle faces")) << viewer_->TextOfPanels();
-}
-
-// A window tells of a key that is held as of one that is pressed again.
-TEST_F(PanelTest, AHeldKeyCountsAgainEachTimeItComes) {
-  Do("resize 800 800\nkey H");
-  Do("type exposqq\npress Backspace\npress Backspace");
-  EXPECT_TRUE(Says("reset the exposure")) << viewer_->TextOfPanels();
-  Do("tick 5");
-  EXPECT_TRUE(Says("reset the exposure")) << "time alone takes nothing away";
-  EXPECT_FALSE(Says("bookmark")) << viewer_->TextOfPanels();
-  Do("press Backspace\npress Backspace\npress Backspace\npress Backspace\npress Backspace\nrelease Backspace");
-  EXPECT_TRUE(Says("bookmark")) << viewer_->TextOfPanels();
-}
-
-TEST_F(PanelTest, TheStatusBarShowsSceneProgressAndPixel) {
-  RenderSettings two;
-  two.samples = 2;
-  Open(project::Root() / "scenes/hello.scn", two);
-  Do("resize 1000 400\nkey Tab");
-  EXPECT_TRUE(Says("hello.scn 1000x400")) << viewer_->TextOfPanels();
-  Do("key S\nwait trace\nmove 100 100");
-  EXPECT_TRUE(Says(viewer_->state().status.Text())) << viewer_->TextOfPanels();
-  EXPECT_NE(viewer_->state().status.Text().find("2 samples"), std::string::npos) << viewer_->state().status.Text();
-  const R2::Point at = viewer_->state().PointerInShownImage();
-  const std::string pixel = std::to_string(static_cast<int>(at.x)) + " " + std::to_string(static_cast<int>(at.y));
-  EXPECT_TRUE(Says(pixel + "  ")) << viewer_->TextOfPanels();
-}
-
-TEST_F(PanelTest, TheStatusBarStaysWithoutPanelsAndLetsClicksThrough) {
-  EXPECT_FALSE(viewer_->Show().panels) << "a script draws the image alone";
-  shows_bar_ = true;
-  Open(project::Root() / "scenes/hello.scn");
-  EXPECT_TRUE(Says("hello.scn 512x512")) << viewer_->TextOfPanels();
-  EXPECT_TRUE(Says("H help  Tab panels"));
-  const double bar = viewer_->state().panels->HeightOfBar();
-  const FrameState shown = viewer_->Show();
-  EXPECT_EQ(shown.view.height, 512) << "the bar lies over the image";
-  ASSERT_TRUE(shown.panels);
-  EXPECT_TRUE(std::ranges::any_of(shown.panels->parts, [&](const auto& part) { return part.top >= 512 - bar; }));
-  Do("click left 256 4");
-  EXPECT_TRUE(viewer_->Picked());
-  Do("tick 9\nkey Tab");
-  EXPECT_EQ(viewer_->Show().view.height, 512 - bar);
-}
-
-// Keys that a sheet of help lies over still do what they say, but for those that are typed into it.
-TEST_F(PanelTest, TheHelpKeepsClicksFromTheImageBelow) {
-  Do("key H\nclick left 256 256");
-  EXPECT_FALSE(viewer_->Picked());
-  Do("key Escape\nclick left 256 256");
-  EXPECT_TRUE(viewer_->Picked());
-}
-
-TEST_F(PanelTest, TheHelpIsAboveTheStatusBar) {
-  Do("key Tab\nkey H");
-  const double bar = viewer_->state().panels->HeightOfBar();
-  const FrameState shown = viewer_->Show();
-  int above = 0;
-  for (const PanelDrawing::Part& part : shown.panels->parts) {
-    if (part.left <= 0 || part.right >= shown.view.width || part.top >= shown.size.height - bar) continue;
-    ++above;
-    EXPECT_LE(part.bottom, shown.size.height - bar);
-  }
-  EXPECT_GT(above, 0);
 }
 
 // It was stretched over what the panels left of the view.
