@@ -77,17 +77,17 @@ class LineWriter {
       const std::optional<R2::Point> end = PlaceOf(at(piece + 1));
       const R3::Point middle = at(piece) + 0.5 * (at(piece + 1) - at(piece));
       const std::optional<R2::Point> place = PlaceOf(middle);
-      if (begin && end && place && !IsTorn(*begin, *place, *end))
+      if (begin && end && place && !IsTorn(*begin, *end, middle))
         Write(*begin, *end, look + !IsVisible(middle, *place, time));
       begin = end;
     }
   }
 
-  /// Returns true for a piece that leaves a panorama at one side and enters it at the other: its middle is then at one
-  /// of the sides as well.
-  static bool IsTorn(const R2::Point& from, const R2::Point& middle, const R2::Point& to) {
-    const double length = R1::Hypot(to.x - from.x, to.y - from.y);
-    return R1::Hypot(middle.x - (from.x + to.x) / 2, middle.y - (from.y + to.y) / 2) > length / 4;
+  /// Returns true for a piece that leaves a panorama at one side and enters it at the other: the middle of its line in
+  /// the image then looks away from the middle of the piece.
+  bool IsTorn(const R2::Point& from, const R2::Point& to, const R3::Point& middle) const {
+    const auto sight = camera_.RayThrough((from.x + to.x) / 2, (from.y + to.y) / 2, width_, height_);
+    return !sight || !(Dot(sight->direction, middle - sight->origin) > 0);
   }
 
   /// Writes a line, unless it ends so far outside that floats of a browser would not keep tenths of a pixel.

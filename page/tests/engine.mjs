@@ -216,7 +216,7 @@ test("an image has 512 pixels a side and 16 samples unless the scene or its opti
   assert.deepEqual(imageOf("a.scn", []), ["512 x 512", "16"]);
   assert.deepEqual(imageOf("a.scn", ["-width", "20"]), ["20 x 256", "16"]);
   assert.deepEqual(imageOf("a.scn", ["-samples", "2"]), ["512 x 512", "2"]);
-  assert.deepEqual(imageOf("b.scn", []), ["256 x 256", "3"]);
+  assert.deepEqual(imageOf("b.scn", []), ["512 x 512", "3"]);
 });
 
 test("a broken image is refused by its name", async () => {
