@@ -40,9 +40,9 @@ OPTIMIZE ?= -O2
 JOBS ?= $(shell nproc 2> /dev/null || getconf _NPROCESSORS_ONLN)
 include make/flags.mk
 
-MAINS := $(wildcard source/app/ray*.cpp) source/rayimg/rayimg.cpp
+MAINS := $(wildcard source/app/ray*.cpp)
 # rayview is built where there is something to draw with.
-PROGRAMS := raypro rayimg $(if $(CONTEXTS),rayview)
+PROGRAMS := raypro $(if $(CONTEXTS),rayview)
 LIBRARY_SOURCES := $(filter-out $(MAINS),$(wildcard R1/*.cpp R2/*.cpp R2/*/*.cpp R3/*.cpp R3/*/*.cpp source/*/*.cpp \
                      source/*/*/*.cpp source/*/*/*/*.cpp))
 TEST_SOURCES := $(wildcard tests/*.cpp tests/R1/*.cpp tests/R2/*.cpp tests/R2/*/*.cpp tests/R3/*.cpp \
@@ -51,6 +51,7 @@ TEST_SOURCES := $(wildcard tests/*.cpp tests/R1/*.cpp tests/R2/*.cpp tests/R2/*/
 BENCH_SOURCES := $(wildcard bench/*.cpp)
 FUZZ_SOURCES := $(wildcard fuzz/*.cpp)
 include grader/grader.mk
+include rayimg/rayimg.mk
 
 .PHONY: all $(PROGRAMS) test check clean test-binary compile_commands FORCE
 all: $(PROGRAMS) compile_commands

@@ -15,7 +15,7 @@ JUMBO ?= yes
 ALONE := fuzz/% \
          source/draw/gl/% source/draw/contexts/% source/accelerate/grid.cpp source/accelerate/wide/Kernels.cpp \
          source/film/denoise/LocalFit.cpp source/app/manual/Version.cpp \
-         $(if $(filter-out file,$(origin TEST_SOURCES)),tests/% grader/tests/%) $(if $(filter yes,$(JUMBO)),,%)
+         $(if $(filter-out file,$(origin TEST_SOURCES)),tests/% grader/tests/% rayimg/tests/%) $(if $(filter yes,$(JUMBO)),,%)
 present = $(filter-out $(ABSENT),$(1))
 alone = $(filter $(ALONE),$(call present,$(1)))
 together = $(filter-out $(ALONE),$(call present,$(1)))
@@ -44,7 +44,7 @@ compile = @mkdir -p $(@D) && echo "  c++   $(1)" && \
           $(CXX) $(PRECOMPILED_HERE) $(OUR_CPPFLAGS) $(FEATURES_HERE) $(CPPFLAGS) $(OUR_CXXFLAGS) $(OPTIMIZE_HERE) $(CXXFLAGS) -c $< -o $@
 # What runs once in a run is compiled the faster for it; where samples are made many at a time, loops become vector
 # instructions.
-$(BUILD)/obj/source/app/% $(BUILD)/obj/source/rayimg/% $(BUILD)/obj/source/parse/% $(BUILD)/obj/tests/% $(BUILD)/obj/grader/tests/% $(BUILD)/unit/%: \
+$(BUILD)/obj/source/app/% $(BUILD)/obj/rayimg/% $(BUILD)/obj/source/parse/% $(BUILD)/obj/tests/% $(BUILD)/obj/grader/tests/% $(BUILD)/obj/rayimg/tests/% $(BUILD)/unit/%: \
   OPTIMIZE_HERE := $(if $(filter -O2 -O3,$(OPTIMIZE)),-O1)
 $(BUILD)/obj/source/sample/% $(BUILD)/obj/source/scene/% $(BUILD)/obj/source/integrate/all.o \
 $(BUILD)/obj/source/integrate/lights/% $(BUILD)/obj/source/integrate/shading/% $(BUILD)/obj/R3/shapes/%: \
@@ -75,12 +75,13 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	$(call compile,$<)
 
 # What all programs share, and what is one program's own, so that raypro does not wait for the viewer.
-OF_RAYVIEW := $(filter source/draw/% source/view/% source/app/rayview/%,$(LIBRARY_SOURCES))
-OF_RAYIMG := $(filter source/rayimg/%,$(LIBRARY_SOURCES))
+OF_RAYVIEW := $(filter source/draw/% source/inspect/% source/view/% source/app/rayview/%,$(LIBRARY_SOURCES))
 archive = @echo "  ar    $@" && rm -f $@ && $(AR) rcs $@ $^
 $(BUILD)/libray.a: $(call objects,$(filter-out $(OF_RAYVIEW) $(OF_RAYIMG),$(LIBRARY_SOURCES)))
 	$(archive)
 $(BUILD)/librayview.a: $(call objects,$(OF_RAYVIEW))
+	$(archive)
+$(BUILD)/librayimg.a: $(call objects,$(OF_RAYIMG))
 	$(archive)
 
 $(BUILD)/rayview $(BUILD)/raytests $(BUILD)/unit/% $(BUILD)/bench/view $(BUILD)/targets/%: LIBS += $(VIEWER_LIBS)
@@ -89,11 +90,9 @@ $(BUILD)/rayview $(BUILD)/raytests $(BUILD)/unit/% $(BUILD)/bench/view $(BUILD)/
 link = @mkdir -p $(@D) && echo "  link  $@" && $(CXX) $(OUR_CXXFLAGS) $(CXXFLAGS) \
        $(filter-out %/libray.a,$^) $(BUILD)/libray.a $(LDFLAGS) $(1) $(LIBS) -o $@
 $(BUILD)/rayview: $(BUILD)/librayview.a
-$(BUILD)/rayimg: $(BUILD)/obj/source/rayimg/rayimg.o $(call objects,$(OF_RAYIMG)) $(BUILD)/libray.a
-	$(call link)
 $(patsubst source/app/%.cpp,$(BUILD)/%,$(filter source/app/%,$(MAINS))): $(BUILD)/%: $(BUILD)/obj/source/app/%.o $(BUILD)/libray.a
 	$(call link)
-$(BUILD)/raytests: $(call objects,$(TEST_SOURCES) $(OF_RAYIMG)) $(BUILD)/librayview.a $(BUILD)/libray.a
+$(BUILD)/raytests: $(call objects,$(TEST_SOURCES)) $(BUILD)/librayimg.a $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,-lgtest $(QUADMATH))
 $(BUILD)/bench/%: $(BUILD)/obj/bench/%.o $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,$(if $(shell grep -l benchmark/benchmark.h bench/$*.cpp),-lbenchmark))
@@ -105,7 +104,7 @@ $(BUILD)/compile_commands.json: $(BUILD)/flags $(BUILD)/features
 	    "$$(cat $(BUILD)/flags $(BUILD)/features | tr '\n' ' ' | sed 's/[\"]/\\&/g')" $$file; done | sed '1s/,/[/; $$s/$$/\n]/' > $@
 
 # A test file by itself, and what it may need.
-$(BUILD)/unit/%: $(BUILD)/unit/%.o $(BUILD)/unit/tests/Main.o $(BUILD)/unit/tests/source/app/Program.o $(call objects,$(OF_RAYIMG)) \
+$(BUILD)/unit/%: $(BUILD)/unit/%.o $(BUILD)/unit/tests/Main.o $(BUILD)/unit/tests/source/app/Program.o $(BUILD)/librayimg.a \
                  $(BUILD)/librayview.a $(BUILD)/libray.a
 	$(call link,-lgtest $(QUADMATH))
 

@@ -6,7 +6,7 @@ set -eu
 cd "${1:-$(dirname "$0")/..}"
 
 # The folders that are clean, each with those below it. Add a folder once it follows.
-folders="R1 R2 R3 grader source/text source/sample source/scene source/accelerate source/parse source/film source/integrate source/render source/draw source/rayimg source/app source/view"
+folders="R1 R2 R3 grader source/text source/sample source/scene source/accelerate source/parse source/film source/integrate source/render source/draw source/inspect source/view source/app rayimg"
 
 # What may stay, as patterns of "file: line".
 #   - titles of works

@@ -4,7 +4,7 @@
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
-find R1 R2 R3 source grader page -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \) ! -path '*/tests/*' | LC_ALL=C sort | xargs awk '
+find R1 R2 R3 source grader rayimg page -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.def' \) ! -path '*/tests/*' | LC_ALL=C sort | xargs awk '
   BEGIN {
     # A layer and those right below it; what is below them is allowed as well.
     below["R1"] = ""
@@ -19,7 +19,8 @@ find R1 R2 R3 source grader page -type f \( -name '*.h' -o -name '*.cpp' -o -nam
     below["film"] = "R2"
     below["render"] = "parse integrate film"
     below["draw"] = "render"
-    below["view"] = "draw"
+    below["inspect"] = "draw"
+    below["view"] = "inspect"
     below["grader"] = "render"
     below["app"] = "view"
     below["rayimg"] = "app grader"

@@ -21,7 +21,7 @@
 #include "source/app/report/Messages.h"
 #include "source/draw/contexts/Context.h"
 #include "source/view/KeyBindings.h"
-#include "source/view/LoadedScene.h"
+#include "source/inspect/LoadedScene.h"
 
 namespace ray {
 namespace {

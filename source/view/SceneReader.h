@@ -6,7 +6,7 @@
 #include <string>
 
 #include "source/view/LatestJob.h"
-#include "source/view/LoadedScene.h"
+#include "source/inspect/LoadedScene.h"
 
 namespace ray {
 

@@ -8,7 +8,7 @@
 #include "source/draw/preview/PreviewScene.h"
 #include "source/parse/SceneError.h"
 #include "source/view/LatestJob.h"
-#include "source/view/LoadedScene.h"
+#include "source/inspect/LoadedScene.h"
 
 namespace ray {
 

@@ -16,11 +16,11 @@
 #include "source/view/live/AcceleratorCost.h"
 #include "source/view/live/JobStatus.h"
 #include "source/view/live/TracedImages.h"
-#include "source/view/overlay/Pick.h"
-#include "source/view/overlay/RayInspector.h"
-#include "source/view/overlay/SceneLines.h"
-#include "source/view/overlay/SectionView.h"
-#include "source/view/overlay/TracedQuad.h"
+#include "source/inspect/Pick.h"
+#include "source/inspect/RayInspector.h"
+#include "source/inspect/SceneLines.h"
+#include "source/inspect/SectionView.h"
+#include "source/inspect/TracedQuad.h"
 #include "source/view/panels/Panels.h"
 
 namespace ray {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "source/draw/contexts/Context.h"
-#include "source/view/LoadedScene.h"
+#include "source/inspect/LoadedScene.h"
 
 namespace ray {
 

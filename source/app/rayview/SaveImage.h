@@ -3,7 +3,7 @@
 #include <string>
 
 #include "source/app/rayview/ViewOutputs.h"
-#include "source/view/LoadedScene.h"
+#include "source/inspect/LoadedScene.h"
 
 namespace ray {
 

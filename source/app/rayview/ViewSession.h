@@ -5,7 +5,7 @@
 #include "source/app/options/ViewerOptions.h"
 #include "source/app/rayview/ViewOutputs.h"
 #include "source/draw/contexts/Context.h"
-#include "source/view/LoadedScene.h"
+#include "source/inspect/LoadedScene.h"
 
 namespace ray {
 

@@ -5,7 +5,7 @@
 #include "R1/Elementary.h"
 #include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
-#include "source/view/overlay/SceneLines.h"
+#include "source/inspect/SceneLines.h"
 
 namespace ray {
 

@@ -13,7 +13,7 @@
 #include "source/view/ViewerState.h"
 #include "source/view/commands/Commands.h"
 #include "source/view/edit/SceneFiles.h"
-#include "source/view/overlay/SceneLines.h"
+#include "source/inspect/SceneLines.h"
 
 namespace ray {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "source/accelerate/Accelerator.h"
 #include "source/render/RenderSettings.h"
-#include "source/view/LoadedScene.h"
+#include "source/inspect/LoadedScene.h"
 
 namespace ray {
 

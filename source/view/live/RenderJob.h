@@ -11,7 +11,7 @@
 
 #include "source/draw/Frame.h"
 #include "source/render/Render.h"
-#include "source/view/LoadedScene.h"
+#include "source/inspect/LoadedScene.h"
 
 namespace ray {
 

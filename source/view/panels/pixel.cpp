@@ -9,7 +9,7 @@
 
 #include "source/text/NumberText.h"
 #include "source/view/commands/Commands.h"
-#include "source/view/overlay/PixelExplanation.h"
+#include "source/inspect/PixelExplanation.h"
 #include "source/view/panels/Panel.h"
 #include "source/view/panels/Tree.h"
 

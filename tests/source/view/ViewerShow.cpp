@@ -6,9 +6,9 @@
 #include <map>
 #include <numeric>
 
-#include "source/view/overlay/SceneLines.h"
+#include "source/inspect/SceneLines.h"
 #include "tests/source/view/ScriptedViewer.h"
-#include "tests/source/view/overlay/NodeCounts.h"
+#include "tests/source/inspect/NodeCounts.h"
 
 namespace ray {
 namespace {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "source/view/LoadedScene.h"
+#include "source/inspect/LoadedScene.h"
 #include "source/view/edit/ScnEdits.h"
 #include "tests/source/parse/Folder.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <thread>
 
-#include "source/view/LoadedScene.h"
+#include "source/inspect/LoadedScene.h"
 #include "tests/Project.h"
 
 namespace ray::testing {

@@ -11,7 +11,7 @@
 
 #include "R2/ImageFile.h"
 #include "source/integrate/debug/Heat.h"
-#include "source/view/overlay/DebugRays.h"
+#include "source/inspect/DebugRays.h"
 #include "source/view/panels/PanelLook.h"
 #include "tests/source/view/ScriptedViewer.h"
 #include "tests/source/view/WithOptions.h"
