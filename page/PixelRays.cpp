@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "R1/Elementary.h"
+#include "source/inspect/ImageLines.h"
 #include "source/integrate/RayCounts.h"
 #include "source/render/RenderInputs.h"
 #include "source/text/NumberText.h"
@@ -14,7 +14,6 @@
 namespace ray {
 namespace {
 
-constexpr int pieces_a_segment = 32;      // visible or hidden as a whole
 constexpr double ray_to_nowhere = 2;      // radii of the scene
 constexpr double beyond_a_blocker = 0.2;  // likewise, towards a light at infinity
 
@@ -23,71 +22,35 @@ class LineWriter {
  public:
   LineWriter(const World& world, const Accelerator& accelerator, const RenderSettings& settings)
       : accelerator_(accelerator),
-        camera_(CameraOf(world, settings)),
-        width_(settings.width),
-        height_(settings.height),
+        lines_(CameraOf(world, settings), settings.width, settings.height,
+               [this](const R3::Point& p, const R3::Ray& sight, const R2::Point&) { return IsVisible(p, sight); }),
         radius_(world.scene().root.bounds.Radius()) {}
 
   std::string LinesOf(const RecordedRay& ray) {
     text_.clear();
+    time_ = ray.ray.time;
     const R3::Point start = ray.ray.At(std::max(0.0, ray.ray.t_min));
     const R3::Vector along = radius_ * Unit(ray.ray.direction);
     const R3::Point end = ray.End().value_or(start + ray_to_nowhere * along);
-    Add(start, end, ray.ray.time, 0);
+    Add(start, end, 0);
     if (ray.kind == RayKind::shadow && ray.at)
-      Add(end, ray.ray.t_max < R3::infinity ? ray.ray.At(1) : end + beyond_a_blocker * along, ray.ray.time, 2);
+      Add(end, ray.ray.t_max < R3::infinity ? ray.ray.At(1) : end + beyond_a_blocker * along, 2);
     return std::move(text_);
   }
 
  private:
-  std::optional<R2::Point> PlaceOf(const R3::Point& p) const { return camera_.PlaceOf(p, width_, height_); }
-
-  /// Returns true if nothing hides a point that is seen at `place`.
-  bool IsVisible(const R3::Point& p, const R2::Point& place, double time) {
-    const auto sight = camera_.RayThrough(place.x, place.y, width_, height_);
-    if (!sight) return false;
-    R3::Ray ray{sight->origin, p - sight->origin};
+  /// Returns true if nothing hides a point.
+  bool IsVisible(const R3::Point& p, const R3::Ray& sight) {
+    R3::Ray ray{sight.origin, p - sight.origin};
     // A point on a surface is visible although rounding may put the hit a little before it. A millionth of the distance
     // is far less than a pixel.
     ray.t_max = 1 - 1e-6;
-    ray.time = time;
+    ray.time = time_;
     return !accelerator_.IsOccluded(ray, workspace_);
   }
 
-  /// Returns the share of the way at which a piece begins, so that pieces of a perspective image are of equal length:
-  /// depths are inverse linear in the image.
-  static double ShareAt(int piece, double from_depth, double to_depth) {
-    const double s = static_cast<double>(piece) / pieces_a_segment;
-    return s * from_depth / ((1 - s) * to_depth + s * from_depth);
-  }
-
-  /// Writes a segment, without the part behind a pinhole.
-  void Add(R3::Point from, R3::Point to, double time, int look) {
-    double a = 1, b = 1;  // depths
-    if (camera_.IsPinhole()) {
-      a = Dot(from - camera_.eye, camera_.towards), b = Dot(to - camera_.eye, camera_.towards);
-      const double nearest = std::max(a, b) / 1024;  // nearer points are at the edge of the image, or outside
-      if (!(nearest > 0)) return;
-      if (a < nearest) from = from + (nearest - a) / (b - a) * (to - from), a = nearest;
-      if (b < nearest) to = to + (nearest - b) / (a - b) * (from - to), b = nearest;
-    }
-    const auto at = [&](int piece) { return from + ShareAt(piece, a, b) * (to - from); };
-    std::optional<R2::Point> begin = PlaceOf(from);
-    for (int piece = 0; piece < pieces_a_segment; ++piece) {
-      const std::optional<R2::Point> end = PlaceOf(at(piece + 1));
-      const R3::Point middle = at(piece) + 0.5 * (at(piece + 1) - at(piece));
-      const std::optional<R2::Point> place = PlaceOf(middle);
-      if (begin && end && place && !IsTorn(*begin, *end, middle))
-        Write(*begin, *end, look + !IsVisible(middle, *place, time));
-      begin = end;
-    }
-  }
-
-  /// Returns true for a piece that leaves a panorama at one side and enters it at the other: the middle of its line in
-  /// the image then looks away from the middle of the piece.
-  bool IsTorn(const R2::Point& from, const R2::Point& to, const R3::Point& middle) const {
-    const auto sight = camera_.RayThrough((from.x + to.x) / 2, (from.y + to.y) / 2, width_, height_);
-    return !sight || !(Dot(sight->direction, middle - sight->origin) > 0);
+  void Add(const R3::Point& from, const R3::Point& to, int look) {
+    for (const ImageLine& line : lines_.Of(from, to)) Write(line.from, line.to, look + line.is_hidden);
   }
 
   /// Writes a line, unless it ends so far outside that floats of a browser would not keep tenths of a pixel.
@@ -101,9 +64,9 @@ class LineWriter {
   }
 
   const Accelerator& accelerator_;
-  const Camera camera_;
-  const int width_, height_;
+  const ImageLines lines_;
   const double radius_;  // of the scene
+  double time_ = 0;      // of the ray being written
   Workspace workspace_;
   std::string text_;
 };

@@ -17,7 +17,7 @@ WEB_SOURCES := $(filter-out %/jpeg.cpp %/png.cpp %/exr.cpp %/ReadFile.cpp %/Thre
                      source/$(d)/*.cpp source/$(d)/*/*.cpp source/$(d)/*/*/*.cpp) \
                    source/app/options/*.cpp source/app/manual/*.cpp page/*.cpp page/shim/*.cpp)) \
                $(foreach f,Check ContactCheck LampCheck Questions SceneSummary Memory,source/app/report/$(f).cpp) \
-               source/app/PreparedScene.cpp source/app/files/LayerImages.cpp
+               source/inspect/ImageLines.cpp source/app/PreparedScene.cpp source/app/files/LayerImages.cpp
 WEB_ALONE := $(filter $(ALONE),$(WEB_SOURCES))
 WEB_TOGETHER := $(filter-out $(WEB_ALONE),$(WEB_SOURCES))
 WEB_OBJECTS := $(WEB_ALONE:%.cpp=$(WEB)/obj/%.o) $(patsubst %,$(WEB)/obj/%all.o,$(sort $(dir $(WEB_TOGETHER))))

@@ -84,14 +84,14 @@ TEST(RayimgSideBySide, CaptionsAreBelowAndLeaveTheImagesAlone) {
   const TemporaryFolder folder;
   const std::string in = Save(folder / "in.png", Distinct(30, 9)), out = folder / "out.png";
   ASSERT_EQ(Rayimg({"side-by-side", in, in, "-captions", "ab,", "-out", out}).status, 0);
-  const R2::Image sheet = Decode(out).image, picture = Decode(in).image;
+  const R2::Image sheet = Decode(out).image, original = Decode(in).image;
   ASSERT_EQ(sheet.Width(), 60);
   const int below = sheet.Height() - 9;
   ASSERT_GT(below, 8);
   std::size_t ink_left = 0, ink_right = 0;
   for (int x = 0; x < 60; ++x) {
     for (int y = 0; y < below; ++y) (x < 30 ? ink_left : ink_right) += sheet.At(x, y).g < 0.5;
-    for (int y = 0; y < 9; ++y) EXPECT_EQ(sheet.At(x, below + y), picture.At(x % 30, y));
+    for (int y = 0; y < 9; ++y) EXPECT_EQ(sheet.At(x, below + y), original.At(x % 30, y));
   }
   EXPECT_GT(ink_left, 10u);
   EXPECT_EQ(ink_right, 0u);

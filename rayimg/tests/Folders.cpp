@@ -11,7 +11,7 @@
 namespace ray::rayimg {
 namespace {
 
-/// A bright disc beside the center of a gradient: without any symmetry, in bytes.
+/// A bright disc off the center of a gradient: without any symmetry, in bytes.
 R2::Image Scene(int width, int height) {
   R2::Image image(width, height);
   for (int y = 0; y < height; ++y)
@@ -42,7 +42,7 @@ struct TwoFolders : TemporaryFolder {
   }
 };
 
-TEST(FolderDiff, NamesTheCauseOfEachDifference) {
+TEST(FolderDiff, NamesACauseForEachDifference) {
   NEEDS_RAYIMG();
   constexpr int w = 40, h = 32;
   const R2::Image r = Scene(w, h);

@@ -27,6 +27,10 @@ struct DrawingSpace {
     return {static_cast<float>((p.x - center.x) / radius), static_cast<float>((p.y - center.y) / radius),
             static_cast<float>((p.z - center.z) / radius)};
   }
+  /// Returns the point with these coordinates, in single precision.
+  R3::Point PointAt(const std::array<float, 3>& at) const {
+    return center + radius * R3::Vector{double{at[0]}, double{at[1]}, double{at[2]}};
+  }
 };
 
 /// A matrix from a DrawingSpace to OpenGL's clip space, column by column.

@@ -24,6 +24,8 @@ struct DrawingDetail {
   friend bool operator==(const DrawingDetail&, const DrawingDetail&) = default;
 };
 
+inline constexpr double hidden_lines = 0.3;  // factor of the alpha of hidden lines
+
 /// The displayed state of a viewer, without reference to OpenGL. Lists are shared and never changed once they are
 /// shown: equal pointers are equal lists.
 struct FrameState {
@@ -60,6 +62,8 @@ struct FrameState {
   std::shared_ptr<const Lines> marks;  // lines that depend on the view
   std::shared_ptr<const Lines> lit;    // wide lines; null for none
   std::shared_ptr<const Lines> crop;   // the frame of the crop, which nothing hides; null for none
+  // lines, marks and lit ones are in the square from -1 to 1, which is the view, instead of in space
+  bool has_flat_lines = false;
   std::optional<ShownImage> quad, covering;
   // the column at which the covering image ends; -1 for none
   int split = -1;

@@ -55,8 +55,10 @@ class ViewerHost {
   virtual std::string SaveScene(const std::string& file, const std::string& text) { return SaveText(file, text); }
   /// Scenes that were opened before, the last first.
   virtual std::vector<std::string> RecentScenes() { return {}; }
-  /// Reads an image; the result is empty if the file cannot be read as one.
+  /// Reads an image; the result is empty if the file cannot be read as one. Called in any thread.
   virtual ReferenceImage ReadImage(const std::string& file) = 0;
+  /// A file was read, which no output may replace from now on.
+  virtual void NoteRead(const std::string&) {}
   virtual void SetClipboard(const std::string& text) = 0;
   /// Prints a line to standard output.
   virtual void Print(const std::string& line) = 0;

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "source/view/FileReader.h"
 #include "source/view/FileWatch.h"
 #include "source/view/Notices.h"
-#include "source/view/SceneReader.h"
 #include "source/view/ViewedScene.h"
 #include "source/view/ViewerHost.h"
 #include "source/view/camera/Bookmarks.h"
@@ -64,7 +64,7 @@ struct ViewerState {
   Notices notices;
 
   ViewedScene scene;
-  SceneReader reader;  // of what is to be shown next
+  FileReader reader;  // of what is to be shown next
   FileWatch watch;  // over its files
   Navigator navigator;
   Bookmarks bookmarks;

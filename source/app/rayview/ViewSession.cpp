@@ -248,10 +248,8 @@ class Session : public ViewerHost {
     }
   }
   std::vector<std::string> RecentScenes() override { return recent_.Files(); }
-  ReferenceImage ReadImage(const std::string& file) override {
-    inputs_.push_back(file);
-    return ReadImageOrNone(file);
-  }
+  ReferenceImage ReadImage(const std::string& file) override { return ReadImageOrNone(file); }
+  void NoteRead(const std::string& file) override { inputs_.push_back(file); }
   void SetClipboard(const std::string& text) override {
     if (window_) window_->SetClipboard(text);
   }

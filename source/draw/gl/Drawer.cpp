@@ -5,7 +5,6 @@
 namespace ray {
 namespace {
 
-constexpr double hidden_lines = 0.3;  // factor of the alpha of hidden lines
 constexpr double lit_width = 3;       // in pixels
 constexpr int slider_width = 2;       // in pixels
 constexpr R2::Color slider_color{1, 1, 1};
@@ -153,9 +152,11 @@ void Drawer::Draw(const FrameState& state) {
   if (state.quad && !is_covered)
     painter_.images.Draw(Upload(quad_, *state.quad), *state.quad->corners, clip, LookOf(*state.quad));
   const int width = state.line_width;
-  lists.Draw(Upload(lines_, state.lines), clip, width, hidden_lines);
-  if (state.marks) lists.Draw(Upload(marks_, state.marks), clip, width, hidden_lines);
-  if (state.lit) lists.Draw(Upload(lit_, state.lit), clip, lit_width * width, hidden_lines);
+  const ClipMatrix& of_lines = state.has_flat_lines ? as_it_is : clip;
+  const double hidden = state.has_flat_lines ? 1 : hidden_lines;
+  lists.Draw(Upload(lines_, state.lines), of_lines, width, hidden);
+  if (state.marks) lists.Draw(Upload(marks_, state.marks), of_lines, width, hidden);
+  if (state.lit) lists.Draw(Upload(lit_, state.lit), of_lines, lit_width * width, hidden);
   if (state.crop) lists.Draw(Upload(crop_, state.crop), clip, width, 1);
   if (state.section) {
     canvas.SetViewport(state.view.width, state.bottom, state.section_size.width, state.section_size.height);

@@ -141,8 +141,6 @@ void DebugPixelAt(ViewerState& viewer, const R2::Point& position);
 /// Shows rays of another tracer with ours, of the pixel that they start from, and names the first that differs.
 ///   file   that they are from
 void ShowForeignRays(ViewerState& viewer, const std::string& file, ForeignRays foreign);
-/// Reads them first; mistakes are shown as those of a scene.
-void ShowForeignRays(ViewerState& viewer, const std::string& file);
 /// Goes to the pixel next to it, or moves the cross section, whichever was used last.
 void MoveByArrow(ViewerState& viewer, int right, int up);
 void ForgetPixel(ViewerState& viewer);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "source/text/Words.h"
-#include "source/view/edit/SceneFiles.h"
 
 namespace ray {
 namespace {
@@ -75,16 +74,6 @@ void DebugPixelAt(ViewerState& viewer, const R2::Point& position) {
     viewer.rays.TracePixel(viewer.scene.Loaded(), settings, static_cast<int>(p.x), static_cast<int>(p.y));
   }
   ReportPixel(viewer);
-}
-
-void ShowForeignRays(ViewerState& viewer, const std::string& file) {
-  try {
-    const auto text = ReadSceneFile(file);
-    if (!text) throw SceneErrors({ErrorIn(file, "the file cannot be read")});
-    ShowForeignRays(viewer, file, ReadForeignRays({file, *text}));
-  } catch (const std::exception& error) {
-    ShowProblems(viewer, file, error);
-  }
 }
 
 void ShowForeignRays(ViewerState& viewer, const std::string& file, ForeignRays foreign) {

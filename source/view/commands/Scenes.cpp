@@ -1,6 +1,7 @@
 #include "source/view/commands/Commands.h"
 
 #include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "source/view/edit/SceneFiles.h"
@@ -8,10 +9,13 @@
 namespace ray {
 namespace {
 
-/// Returns true if a file contains rays of another tracer.
-bool HoldsForeignRays(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension();
-  return (extension == ".rays" || extension == ".obj") && IsForeignRays({file, ReadSceneFile(file).value_or("")});
+/// Returns true if a file is an image, by its name, or contains rays of another tracer, by its name and beginning.
+bool IsNoScene(const std::string& file) {
+  if (R2::FormatForName(file)) return true;
+  std::string beginning(1 << 16, ' ');
+  if (std::error_code error; std::filesystem::is_regular_file(file, error))
+    std::ifstream(file, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return IsForeignRays({file, beginning});
 }
 
 void MakeFaces(ViewerState& viewer) {
@@ -28,6 +32,14 @@ void TakeSettings(ViewerState& viewer, const Scene& scene) {
 }
 
 using EditedTexts = std::shared_ptr<const EditedFiles>;
+using ShowScene = std::function<void(std::shared_ptr<const LoadedScene>)>;
+
+FileReader::Read ReadingOf(const std::string& file, const ParseOptions& parse, const AcceleratorSettings& how,
+                           ShowScene show) {
+  return [=]() -> FileReader::Show {
+    return [show, scene = std::make_shared<const LoadedScene>(file, parse, how)] { show(scene); };
+  };
+}
 
 /// Reads the scene again, from the disk or, if there are any, from edited texts. The scene that is shown stays until
 /// the new one can be read.
@@ -43,8 +55,9 @@ void Reload(ViewerState& viewer, EditedTexts texts) {
     if (showed_nothing) viewer.navigator.Go(viewer.scene.Parsed().camera);
     viewer.notices.Show("scene reloaded" + viewer.NotesAfterMessage());
   };
-  const auto refuse = [&viewer](const std::exception& error) { ShowProblems(viewer, viewer.settings.scene, error); };
-  viewer.reader.Read(viewer.settings.scene, parse, viewer.settings.accelerator, texts != nullptr, show, refuse);
+  const std::string& file = viewer.settings.scene;
+  viewer.reader.Begin(file, texts != nullptr, ReadingOf(file, parse, viewer.settings.accelerator, show),
+                      [&viewer](const std::exception& error) { ShowProblems(viewer, viewer.settings.scene, error); });
 }
 
 }  // namespace
@@ -112,7 +125,8 @@ void ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts,
     const auto* errors = dynamic_cast<const SceneErrors*>(&error);
     then(errors && !errors->All().empty() ? errors->All().front().message : error.what());
   };
-  viewer.reader.Read(viewer.settings.scene, parse, viewer.settings.accelerator, true, show, refuse);
+  const std::string& file = viewer.settings.scene;
+  viewer.reader.Begin(file, true, ReadingOf(file, parse, viewer.settings.accelerator, show), refuse);
 }
 
 std::string SaveScene(ViewerState& viewer, const std::string& file, const std::string& text) {
@@ -139,13 +153,7 @@ void ShowProblems(ViewerState& viewer, const std::string& file, const std::excep
 }
 
 void OpenScene(ViewerState& viewer, const std::string& file) {
-  if (ReferenceImage image = viewer.host.ReadImage(file)) {
-    viewer.traced.SetReference(std::move(image));
-    return viewer.notices.Show("the reference is " + file);
-  }
-  if (std::error_code error; std::filesystem::is_regular_file(file, error) && HoldsForeignRays(file))
-    return ShowForeignRays(viewer, file);
-  if (!viewer.editor.MayLose("open " + file)) return;
+  if (!IsNoScene(file) && !viewer.editor.MayLose("open " + file)) return;
   ParseOptions unedited = viewer.settings.parse;
   unedited.edited.reset();
   const auto show = [&viewer, file](std::shared_ptr<const LoadedScene> scene) {
@@ -161,8 +169,20 @@ void OpenScene(ViewerState& viewer, const std::string& file) {
     viewer.navigator.Go(viewer.scene.Parsed().camera);
     viewer.notices.Show("opened " + file + viewer.NotesAfterMessage());
   };
-  const auto refuse = [&viewer, file](const std::exception& error) { ShowProblems(viewer, file, error); };
-  viewer.reader.Read(file, unedited, viewer.settings.accelerator, false, show, refuse);
+  const auto read_scene = ReadingOf(file, unedited, viewer.settings.accelerator, show);
+  const auto read = [&viewer, file, read_scene]() -> FileReader::Show {
+    if (const ReferenceImage image = viewer.host.ReadImage(file))
+      return [&viewer, file, image] {
+        viewer.host.NoteRead(file);
+        viewer.traced.SetReference(image);
+        viewer.notices.Show("the reference is " + file);
+      };
+    if (const auto text = ReadSceneFile(file); text && IsForeignRays({file, *text}))
+      return [&viewer, file, rays = ReadForeignRays({file, *text})] { ShowForeignRays(viewer, file, rays); };
+    return read_scene();
+  };
+  viewer.reader.Begin(file, false, read,
+                      [&viewer, file](const std::exception& error) { ShowProblems(viewer, file, error); });
 }
 
 void OpenNeighbor(ViewerState& viewer, int by) {

@@ -25,7 +25,7 @@ std::string Reach(const RenderJob& job) {
 
 std::string StatusOf(const RenderJob& job) {
   if (job.IsComplete() && job.Settings().budget.IsOpen()) return ClaimOf(*job.Result());
-  std::string status = Reach(job);
+  std::string status = Reach(job) + (job.IsOfOneLight() ? " (one light per point so far)" : "");
   const auto share = job.Share(), left = job.SecondsLeft();
   if (share && !job.HasEnded()) status += " " + Fixed(std::floor(100 * *share), 0) + " %";
   const double seconds = job.Seconds();

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "source/integrate/lights/LightSource.h"
 #include "source/render/FirstLook.h"
 
 namespace ray {
@@ -41,6 +42,16 @@ RenderSettings ForJob(RenderSettings settings, RenderJob::Order order) {
 /// those around fill pixels that are skipped, or the whole image is filtered.
 bool HasFinalBlocks(const RenderSettings& settings) {
   return !SamplesWhereNeighborsDiffer(settings) && !IsSubsampled(settings) && !settings.denoise;
+}
+
+/// Returns true if each point samples so many lights that a first look with one of them is much faster.
+bool SamplesManyLights(const World& world, const RenderSettings& settings) {
+  constexpr std::size_t few = 8;
+  const TraceSettings& trace = settings.trace;
+  if (IsSubsampled(settings)) return false;
+  if (settings.mode == RenderMode::whitted)
+    return trace.lights <= 0 && LightSourcesOfWhitted(world, trace).size() > few;
+  return settings.mode == RenderMode::path && trace.lights == 0 && LightSourcesOfPath(world, trace).size() > few;
 }
 
 bool HasSamples(const RenderState& state) {
@@ -155,8 +166,9 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
     frame_.Put(before_->image, 0);
     samples_.store(before_->samples, std::memory_order_release);
     places_.store(BlockOrder::places, std::memory_order_release);
-  } else if (!LookFirst(look, is_kept)) {
-    return {};
+  } else {
+    if (SamplesManyLights(scene_->world, settings_) && !LookByOneLight()) return {};
+    if (!LookFirst(look, is_kept)) return {};
   }
 
   RenderSettings settings = settings_;
@@ -175,11 +187,13 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
     monitor.save = [&](const RenderState& state) { canceled_ = Stopped{state, 0, frame_.Image(), Samples()}; };
     monitor.pass_done = [&](const R2::Image& image, std::uint32_t per_stream) {
       frame_.Put(image, 0);
+      is_of_one_light_ = false;
       samples_.store(streams * static_cast<int>(per_stream), std::memory_order_release);
     };
   }
   RenderResult result = RenderAll(integrator, settings, monitor);
   if (!result.IsComplete()) return {};
+  is_of_one_light_ = false;
   // Passes were made to be seen; Render has one unless more were requested.
   if (!settings_.wants_passes && !settings_.budget.IsOpen())
     result.passes.erase(result.passes.begin(), result.passes.end() - 1);
@@ -189,18 +203,37 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
   return result;
 }
 
+bool RenderJob::LookByOneLight() {
+  RenderSettings settings = settings_;
+  settings.trace.lights = 1;
+  const auto integrator = IntegratorOf(scene_->world, *scene_->accelerator, settings);
+  FirstLook look(scene_->world, *integrator, settings, &stop_, [this](std::uint64_t rays) { rays_ = rays; });
+  is_of_one_light_ = true;
+  constexpr int last = BlockOrder::places / 4;
+  for (int places = std::min(first_places_, last);; places *= 4) {
+    if (look.Look(places, Clock::time_point::max()) == PassRunner::End::stopped) return false;
+    frame_.Put(look.Image(), 0);
+    pixels_per_second_ = look.Pixels(places) / std::max(1e-9, Seconds());
+    places_.store(places, std::memory_order_release);
+    if (places == last) return true;
+  }
+}
+
 bool RenderJob::LookFirst(FirstLook& look, bool is_kept) {
   const int whole = IsSubsampled(settings_) ? settings_.places : BlockOrder::places;
   const int last = is_kept || settings_.samples > 1 ? whole : whole / 4;
-  for (int places = std::min(first_places_, last);; places = std::min(4 * places, last)) {
+  // By one light per point there is an image until each pixel has its sample.
+  const int first = is_of_one_light_ ? last : std::min(first_places_, last);
+  for (int places = first;; places = std::min(4 * places, last)) {
     auto end = PassRunner::End::paused;
     while (end == PassRunner::End::paused) {
       end = look.Look(places, Clock::now() + time_between_images);
       if (end == PassRunner::End::stopped) return false;
+      if (is_of_one_light_) continue;
       if (end == PassRunner::End::paused || places < last || !is_kept)
         frame_.Put(look.Image(), 0);  // else Render shows it
     }
-    pixels_per_second_ = look.Pixels(places) / std::max(1e-9, Seconds());
+    if (!is_of_one_light_) pixels_per_second_ = look.Pixels(places) / std::max(1e-9, Seconds());
     if (is_kept) share_ = places / (settings_.samples * double{BlockOrder::places});
     places_.store(places, std::memory_order_release);
     if (places == last) break;

@@ -21,8 +21,9 @@ class FirstLook;
 /// may end when it likes: nobody looks at what it still writes.
 class RenderJob {
  public:
-  /// coarse_first   first looks at the image, each at four times as many pixels as the one before, see FirstLook; then
-  ///                more samples, twice as many pass by pass, until the budget or the count of samples is reached
+  /// coarse_first   first looks at the image, each at four times as many pixels as the one before, see FirstLook, where
+  ///                there are many lights with one of them per point; then more samples, twice as many pass by pass,
+  ///                until the budget or the count of samples is reached
   /// rows           in rows of blocks of the film from the bottom, each with all its samples; all at once where
   ///                neighboring pixels decide who gets samples, or what a pixel shows
   enum class Order { coarse_first, rows };
@@ -74,6 +75,9 @@ class RenderJob {
   /// Returns its state when it was canceled; none if that was no sample of a pixel beyond the first look, or it did not
   /// end so.
   const std::optional<Stopped>& Canceled() const;
+  /// Returns true if points of the image so far are lit by one light each, chosen by importance, though the settings
+  /// sample more.
+  bool IsOfOneLight() const { return is_of_one_light_.load(std::memory_order_acquire); }
   std::uint64_t Rays() const { return rays_.load(std::memory_order_relaxed); }
   /// Since the start, until the end.
   double Seconds() const;
@@ -87,6 +91,8 @@ class RenderJob {
  private:
   void Run();
   std::optional<RenderResult> RenderCoarseFirst(const Integrator& integrator);
+  /// Looks at a quarter of the pixels with one light per point; false where it was stopped.
+  bool LookByOneLight();
   /// Takes the first sample of each pixel, look by look; false where it was stopped.
   bool LookFirst(FirstLook& look, bool is_kept);
   RenderResult RenderAll(const Integrator& integrator, const RenderSettings& settings,
@@ -102,7 +108,7 @@ class RenderJob {
   const int threads_of_further_samples_;  // 0: as many as the machine has
   const int first_places_;
   Frame frame_;
-  std::atomic<bool> stop_ = false, has_ended_ = false;
+  std::atomic<bool> stop_ = false, has_ended_ = false, is_of_one_light_ = false;
   std::atomic<int> rows_done_ = 0, places_ = 0, samples_ = 0;
   std::atomic<std::uint64_t> rays_ = 0;
   std::atomic<double> pixels_per_second_ = 0, share_ = 0;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "R1/Elementary.h"
+#include "source/inspect/ImageLines.h"
 #include "source/render/LayerColors.h"
 #include "source/view/commands/Commands.h"
 
@@ -88,6 +89,40 @@ void ShowFlat(const ViewerState& viewer, FrameState& shown) {
   shown.beside->place = is_whole ? viewer.PlaceOfShownImage() : shown.covering->place;
 }
 
+/// Replaces lines in space, which are drawn as a pinhole sees them, by those of the projection of the live image.
+/// Parts that are hidden there are fainter. The edges of triangles are not drawn.
+///   depths   of that image; null for none, so that nothing is hidden
+void ProjectLines(const ViewerState& viewer, FrameState& shown, const Frame* depths) {
+  constexpr double rounding = 1.002;  // of the depth of a pixel's middle
+  const DrawingSize view = shown.view;
+  const auto is_visible = [&](const R3::Point& p, const R3::Ray& sight, const R2::Point& place) {
+    const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
+    if (!depths || x < 0 || y < 0 || x >= depths->Width() || y >= depths->Height()) return true;
+    const double depth = depths->At(x, y).r;
+    return depth == 0 || Length(p - sight.origin) <= rounding * depth;
+  };
+  const ImageLines image_lines(viewer.navigator.camera(), view.width, view.height, is_visible);
+  const DrawingSpace& space = viewer.scene.Space();
+  const auto at = [&](const R2::Point& p) {
+    return std::array{static_cast<float>(2 * p.x / view.width - 1), static_cast<float>(2 * p.y / view.height - 1), 0.F};
+  };
+  for (auto* lines : {&shown.lines, &shown.marks, &shown.lit}) {
+    if (!*lines) continue;
+    Lines flat;
+    for (std::size_t i = 0; i + 1 < (*lines)->size(); i += 2) {
+      const Vertex &from = (**lines)[i], &to = (**lines)[i + 1];
+      for (const ImageLine& line : image_lines.Of(space.PointAt(from.at), space.PointAt(to.at))) {
+        Rgba color = from.color;
+        if (line.is_hidden) color[3] = static_cast<std::uint8_t>(hidden_lines * color[3]);
+        AddLine(flat, at(line.from), at(line.to), color);
+      }
+    }
+    *lines = std::make_shared<const Lines>(std::move(flat));
+  }
+  shown.has_flat_lines = true;
+  shown.shows_edges = false;
+}
+
 /// Returns true if lines in space are drawn over the view.
 bool HasLines(const FrameState& shown) {
   return !shown.lines->empty() || (shown.marks && !shown.marks->empty()) || shown.lit || shown.shows_edges;
@@ -126,9 +161,12 @@ FrameState MakeFrame(ViewerState& viewer, std::shared_ptr<const Lines> lines) {
         std::make_shared<const Lines>(ChosenRay(*viewer.rays.Pixel(), viewer.scene.Space(), viewer.rays.Look()));
   shown.quad = QuadInSpace(viewer, exposure);
   shown.covering = CoveringImage(viewer);
-  if (shown.covering && viewer.traced.ShownLive() && HasLines(shown) && viewer.navigator.camera().IsPinhole()) {
+  if (shown.covering && viewer.traced.ShownLive() && HasLines(shown)) {
     viewer.traced.TraceDepths();
-    if (const RenderJob* depths = viewer.traced.Depths())
+    const RenderJob* depths = viewer.traced.Depths();
+    if (!viewer.navigator.camera().IsPinhole())
+      ProjectLines(viewer, shown, depths ? &depths->frame() : nullptr);
+    else if (depths)
       shown.covering->depths = {&depths->frame(), viewer.traced.DepthsNumber(), viewer.scene.Space().radius};
   }
   ShowFlat(viewer, shown);

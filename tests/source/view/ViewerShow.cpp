@@ -164,6 +164,34 @@ TEST_F(ViewerTest, ARenderedImageIsFramedOnlyFromElsewhere) {
   EXPECT_FALSE(has_frame());
 }
 
+// The camera of fisheye.scn sees 200 degrees; a pinhole would draw the boxes elsewhere, or not at all.
+TEST_F(ViewerTest, LinesOverAnImageFollowItsProjection) {
+  Open(project::Root() / "scenes/fisheye.scn");
+  viewer_->state().traced.ShowLive({});
+  Do("key B\nwait image\n");
+  const FrameState moving = viewer_->Show();  // starts the depths
+  WaitUntilIdle();
+  const FrameState shown = viewer_->Show();
+  ASSERT_TRUE(shown.has_flat_lines);
+  ASSERT_FALSE(shown.lines->empty());
+  int faint = 0;
+  for (const Vertex& vertex : *shown.lines) faint += vertex.color[3] < 100;
+  EXPECT_GT(faint, 0) << "parts of boxes are hidden";
+  EXPECT_LT(faint, static_cast<int>(shown.lines->size()));
+  const DrawingSpace& space = viewer_->state().scene.Space();
+  viewer_->state().traced.HideLive();
+  WaitUntilIdle();
+  const FrameState in_space = viewer_->Show();
+  ASSERT_FALSE(in_space.has_flat_lines);
+  const auto corner = camera().PlaceOf(space.PointAt(in_space.lines->front().at), width, height);
+  ASSERT_TRUE(corner);
+  double nearest = 2;
+  for (const Vertex& vertex : *shown.lines)
+    nearest = std::min(nearest, std::hypot((vertex.at[0] + 1.0) * width / 2 - corner->x,
+                                           (vertex.at[1] + 1.0) * shown.view.height / 2 - corner->y));
+  EXPECT_LT(nearest, 1e-3);
+}
+
 // 16 samples were 16 equal rows of 53 rays each.
 TEST_F(ViewerTest, APixelShowsTheRaysOfOneSample) {
   RenderSettings many;

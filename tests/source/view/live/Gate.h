@@ -41,9 +41,8 @@ class Gate : public Accelerator {
 
 /// A scene without mirrors, whose camera rays wait at a gate.
 struct Gated {
-  explicit Gated(std::int64_t open_for)
-      : scene(std::make_shared<LoadedScene>(project::Root() / "scenes/area_light.scn", ParseOptions{},
-                                            AcceleratorSettings{})) {
+  explicit Gated(std::int64_t open_for, const std::string& file = project::Root() / "scenes/area_light.scn")
+      : scene(std::make_shared<LoadedScene>(file, ParseOptions{}, AcceleratorSettings{})) {
     auto held = std::make_unique<Gate>(scene->world, std::move(scene->accelerator), open_for);
     gate = held.get();
     scene->accelerator = std::move(held);

@@ -199,6 +199,33 @@ TEST(RenderJob, AWholeLookShowsTheImageOfItsPlaces) {
 }
 
 // What is drawn of an image under way is the image, not a guess at it; and what is not yet traced is black.
+// With 20 lights, each point of the true image traces 20 shadow rays.
+TEST(RenderJob, ShowsManyLightsByOneOfThemUntilTheTrueImageIsThere) {
+  const project::Folder folder;
+  std::string lights;
+  for (int i = 0; i < 20; ++i) lights += "point_light 1 1 1  " + std::to_string(i - 10) + " 5 3  1 0 0\n";
+  folder.Write("many.scn", lights + "material .1 .1 .1  .05 .05 .05  0 0 0  0 0 0  0 0 0  1 1 null\nsphere 0  0 0 0  2\n");
+  RenderSettings settings = Sized(32, 32);
+  settings.threads = 1;
+  const Gated gated(0, folder / "many.scn");
+  const RenderJob job(gated.scene, settings, Order::coarse_first, 1);
+  const int quarter = 32 * 32 / 4;
+  gated.gate->Open(quarter);
+  while (job.Places() < 16 || gated.gate->Waiting() == 0) std::this_thread::yield();
+  EXPECT_TRUE(job.IsOfOneLight());
+  EXPECT_NE(StatusOf(job).find("one light per point"), std::string::npos);
+  const std::uint64_t rays = job.Rays();
+  EXPECT_LE(rays, 2u * quarter);
+  const R2::Image by_one_light = job.frame().Image();
+  gated.gate->Open(1 << 20);
+  ASSERT_TRUE(Ends(job));
+  EXPECT_FALSE(job.IsOfOneLight());
+  const RenderResult whole = Render(gated.scene->world, *gated.scene->accelerator, settings);
+  EXPECT_TRUE(job.Result()->image == whole.image);
+  EXPECT_FALSE(by_one_light == whole.image);
+  EXPECT_EQ(RaysByKind(job.Result()->rays), RaysByKind(whole.rays));
+}
+
 TEST(RenderJob, RowsBelowRowsDoneAreFinalAndThoseAboveUntouched) {
   const auto scene = Loaded("area_light");
   for (const std::string filter : {"box", "gaussian"}) {
