@@ -20,8 +20,8 @@
 #include "source/app/rayview/ViewSession.h"
 #include "source/app/report/Messages.h"
 #include "source/draw/contexts/Context.h"
-#include "source/view/KeyBindings.h"
 #include "source/inspect/LoadedScene.h"
+#include "source/view/KeyBindings.h"
 
 namespace ray {
 namespace {

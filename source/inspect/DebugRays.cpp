@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "source/text/NumberText.h"
 #include "source/inspect/SceneLines.h"
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {

@@ -19,9 +19,7 @@ struct LoadedScene {
         world(parsed.scene),
         accelerator(FindAcceleratorKind(how.name)->Make(world, how)) {}
   LoadedScene(ParsedScene scene, const AcceleratorSettings& how)
-      : parsed(std::move(scene)),
-        world(parsed.scene),
-        accelerator(FindAcceleratorKind(how.name)->Make(world, how)) {}
+      : parsed(std::move(scene)), world(parsed.scene), accelerator(FindAcceleratorKind(how.name)->Make(world, how)) {}
 
   ScnPlaces places;  // empty where the scene is in another language than .scn
   ParsedScene parsed;

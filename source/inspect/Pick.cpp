@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "source/text/NumberText.h"
 #include "source/inspect/SceneLines.h"
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "source/render/PixelTrace.h"
 #include "source/inspect/LoadedScene.h"
+#include "source/render/PixelTrace.h"
 
 namespace ray {
 

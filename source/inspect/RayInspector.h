@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "source/inspect/LoadedScene.h"
 #include "source/inspect/DebugRays.h"
 #include "source/inspect/ForeignRays.h"
+#include "source/inspect/LoadedScene.h"
 
 namespace ray {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "R1/Elementary.h"
-#include "source/text/NumberText.h"
 #include "source/inspect/SliceView.h"
+#include "source/text/NumberText.h"
 
 namespace ray {
 namespace {

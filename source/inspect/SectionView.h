@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
-#include "source/inspect/LoadedScene.h"
 #include "source/inspect/DebugRays.h"
+#include "source/inspect/LoadedScene.h"
 #include "source/inspect/SliceView.h"
 
 namespace ray {

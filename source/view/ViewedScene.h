@@ -6,9 +6,9 @@
 
 #include "source/draw/Drawing.h"
 #include "source/draw/preview/PreviewScene.h"
+#include "source/inspect/LoadedScene.h"
 #include "source/parse/SceneError.h"
 #include "source/view/LatestJob.h"
-#include "source/inspect/LoadedScene.h"
 
 namespace ray {
 

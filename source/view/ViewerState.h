@@ -4,6 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "source/inspect/Pick.h"
+#include "source/inspect/RayInspector.h"
+#include "source/inspect/SceneLines.h"
+#include "source/inspect/SectionView.h"
+#include "source/inspect/TracedQuad.h"
 #include "source/view/FileReader.h"
 #include "source/view/FileWatch.h"
 #include "source/view/Notices.h"
@@ -16,11 +21,6 @@
 #include "source/view/live/AcceleratorCost.h"
 #include "source/view/live/JobStatus.h"
 #include "source/view/live/TracedImages.h"
-#include "source/inspect/Pick.h"
-#include "source/inspect/RayInspector.h"
-#include "source/inspect/SceneLines.h"
-#include "source/inspect/SectionView.h"
-#include "source/inspect/TracedQuad.h"
 #include "source/view/panels/Panels.h"
 
 namespace ray {

@@ -3,9 +3,9 @@
 #include <numbers>
 
 #include "R1/Elementary.h"
+#include "source/inspect/SceneLines.h"
 #include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
-#include "source/inspect/SceneLines.h"
 
 namespace ray {
 

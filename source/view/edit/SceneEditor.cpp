@@ -7,13 +7,13 @@
 #include <cmath>
 #include <utility>
 
+#include "source/inspect/SceneLines.h"
 #include "source/parse/Files.h"
 #include "source/text/Number.h"
 #include "source/text/NumberText.h"
 #include "source/view/ViewerState.h"
 #include "source/view/commands/Commands.h"
 #include "source/view/edit/SceneFiles.h"
-#include "source/inspect/SceneLines.h"
 
 namespace ray {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "source/accelerate/Accelerator.h"
-#include "source/render/RenderSettings.h"
 #include "source/inspect/LoadedScene.h"
+#include "source/render/RenderSettings.h"
 
 namespace ray {
 

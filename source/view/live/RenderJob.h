@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "source/draw/Frame.h"
-#include "source/render/Render.h"
 #include "source/inspect/LoadedScene.h"
+#include "source/render/Render.h"
 
 namespace ray {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
+#include "source/inspect/PixelExplanation.h"
 #include "source/text/NumberText.h"
 #include "source/view/commands/Commands.h"
-#include "source/inspect/PixelExplanation.h"
 #include "source/view/panels/Panel.h"
 #include "source/view/panels/Tree.h"
 

@@ -24,7 +24,7 @@ double Distance(const R2::Point& a, const R2::Point& b) { return std::hypot(a.x 
 
 TEST(ImageLines, FollowEachProjectionWithoutGaps) {
   for (const char* projection :
-       {"", "projection fisheye 170\n", "projection latlong 360\n", "projection orthographic 8\n"}) {
+       {"", "projection fisheye 170\n", "projection latlong\n", "projection orthographic 8\n"}) {
     SCOPED_TRACE(projection);
     const Camera camera = CameraOf(projection);
     const R3::Point from{-2, -1, -4}, to{2.5, 1, -9};
@@ -51,7 +51,7 @@ TEST(ImageLines, EndBeforeAPinhole) {
 }
 
 TEST(ImageLines, AreTornAtThePanoramasEdge) {
-  const ImageLines lines(CameraOf("projection latlong 360\n"), width, height, all_visible);
+  const ImageLines lines(CameraOf("projection latlong\n"), width, height, all_visible);
   for (const ImageLine& line : lines.Of({-1, 0, 5}, {1, 0, 5}))
     EXPECT_LT(Distance(line.from, line.to), width / 2.0) << "not across the whole image";
 }

@@ -10,6 +10,8 @@
 #include <random>
 #include <thread>
 
+#include "source/view/live/JobStatus.h"
+#include "tests/Folder.h"
 #include "tests/Named.h"
 #include "tests/Project.h"
 #include "tests/source/view/live/Gate.h"
@@ -204,7 +206,7 @@ TEST(RenderJob, ShowsManyLightsByOneOfThemUntilTheTrueImageIsThere) {
   const project::Folder folder;
   std::string lights;
   for (int i = 0; i < 20; ++i) lights += "point_light 1 1 1  " + std::to_string(i - 10) + " 5 3  1 0 0\n";
-  folder.Write("many.scn", lights + "material .1 .1 .1  .05 .05 .05  0 0 0  0 0 0  0 0 0  1 1 null\nsphere 0  0 0 0  2\n");
+  folder.Write("many.scn", lights + "material .1 .1 .1  .05 .05 .05  0 0 0  0 0 0  0 0 0  1 1 0\nsphere 0  0 0 0  2\n");
   RenderSettings settings = Sized(32, 32);
   settings.threads = 1;
   const Gated gated(0, folder / "many.scn");
