@@ -32,9 +32,10 @@ std::vector<ImageLine> ImageLines::Of(const R3::Point& begin, const R3::Point& e
   std::optional<R2::Point> last = place_of(from);
   const std::optional<R2::Point> goal = place_of(to);
   int pieces = most_pieces;
-  if (last && goal && !IsTorn(*last, *goal, from + ShareAt(0.5, a, b) * (to - from)))
-    pieces = static_cast<int>(
-        std::clamp(std::hypot(goal->x - last->x, goal->y - last->y) / pixels_of_a_piece, 1.0, double{most_pieces}));
+  if (last && goal && !IsTorn(*last, *goal, from + ShareAt(0.5, a, b) * (to - from))) {
+    const R2::Vector way = *goal - *last;
+    pieces = static_cast<int>(std::clamp(std::sqrt(Dot(way, way)) / pixels_of_a_piece, 1.0, double{most_pieces}));
+  }
   const auto at = [&](int piece) { return from + ShareAt(double(piece) / pieces, a, b) * (to - from); };
   std::vector<ImageLine> lines;
   for (int piece = 0; piece < pieces; ++piece) {
