@@ -97,16 +97,6 @@ TEST(RayimgSideBySide, CaptionsAreBelowAndLeaveTheImagesAlone) {
   EXPECT_EQ(ink_right, 0u);
 }
 
-TEST(RayimgSideBySide, OtherHeightsAreRefusedWithTheRemedy) {
-  NEEDS_RAYIMG();
-  const TemporaryFolder folder;
-  const Finished done = Rayimg({"side-by-side", Save(folder / "a.png", Filled(4, 4, {})),
-                                Save(folder / "b.png", Filled(4, 6, {})), "-out", folder / "out.png"});
-  EXPECT_EQ(done.status, 2);
-  EXPECT_TRUE(Has(done.error, "rayimg resize -height 4")) << done.error;
-  EXPECT_EQ(folder.Others({"a.png", "b.png"}), nothing);
-}
-
 TEST(RayimgContactSheet, ShowsAFolderWithACrossForUnreadableFiles) {
   NEEDS_RAYIMG();
   const TemporaryFolder folder;
@@ -123,14 +113,6 @@ TEST(RayimgContactSheet, ShowsAFolderWithACrossForUnreadableFiles) {
     EXPECT_EQ(sheet.At(12, sheet.Height() - 12), (R2::Color{0, 1, 0}));
     EXPECT_EQ(sheet.At(12, sheet.Height() - 4), (R2::Color{1, 1, 1})) << "shrunk to 20 x 10";
   }
-}
-
-TEST(RayimgContactSheet, AFolderWithoutImagesIsAnError) {
-  NEEDS_RAYIMG();
-  const TemporaryFolder folder;
-  const Finished done = Rayimg({"contact-sheet", folder.Path().string(), "-out", folder / "out.png"});
-  EXPECT_EQ(done.status, 2);
-  EXPECT_TRUE(Has(done.error, "contains no image: no file ends in .jpg")) << done.error;
 }
 
 // --- layers ---

@@ -116,18 +116,6 @@ TEST(FolderDiff, SortsByDifferenceAndLosesNothing) {
   }
 }
 
-TEST(FolderDiff, ExitStatusFollowsTolerances) {
-  NEEDS_RAYIMG();
-  const TwoFolders folders;
-  Save(folders / "right/a.png", Filled(8, 8, {0.5, 0.5, 0.5}));
-  Save(folders / "mine/a.png", Filled(8, 8, {0.6, 0.5, 0.5}));
-  EXPECT_EQ(folders.Diff().status, 0);
-  EXPECT_EQ(folders.Diff({"-fail_rmse", "0.1"}).status, 0);
-  EXPECT_EQ(folders.Diff({"-fail_rmse", "0.01"}).status, 1);
-  Save(folders / "mine/b.png", Filled(8, 8, {}));
-  EXPECT_EQ(folders.Diff({"-fail_rmse", "0.1"}).status, 1) << "an image without a partner";
-}
-
 TEST(FolderDiff, ThePageIsSelfContainedAndTheTableComplete) {
   NEEDS_RAYIMG();
   const TwoFolders folders;
@@ -153,14 +141,6 @@ TEST(FolderDiff, NamesPairExactlyFirstAndAmbiguousOnesNever) {
   EXPECT_EQ(pairs[0].image + pairs[0].reference, "m/a.pngr/a.png");
   EXPECT_EQ(pairs[1].image + pairs[1].reference, "m/b.exrr/b.png");
   for (std::size_t i = 2; i < pairs.size(); ++i) EXPECT_TRUE(pairs[i].image.empty() != pairs[i].reference.empty());
-}
-
-TEST(FolderDiff, AFolderWithoutImagesIsAnError) {
-  NEEDS_RAYIMG();
-  const TwoFolders folders;
-  const Finished done = folders.Diff();
-  EXPECT_EQ(done.status, 2);
-  EXPECT_TRUE(Has(done.error, "contains no image")) << done.error;
 }
 
 }  // namespace

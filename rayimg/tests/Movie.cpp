@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "tests/Project.h"
 #include "rayimg/tests/Rayimg.h"
 
 namespace ray::rayimg {
@@ -123,30 +122,6 @@ TEST(RayimgMovie, ChunksAndIndexContainEveryFramesJpeg) {
   }
   EXPECT_EQ(at, *movie + avi.Number(*movie - 4)) << "the list holds the frames and nothing else";
 }
-
-TEST(RayimgMovie, AnOlderMovieStaysWhenAFrameIsBad) {
-  NEEDS_RAYIMG();
-  const TemporaryFolder folder;
-  const std::string good = Save(folder / "good.jpg", Filled(8, 8, {0.5, 0.5, 0.5}));
-  const std::string cut = WriteFile(folder / "cut.jpg", ReadFile(good).substr(0, ReadFile(good).size() / 2));
-  const std::string out = WriteFile(folder / "out.avi", "an older movie");
-  EXPECT_EQ(Rayimg({"movie", out, good, cut}).status, 3);
-  EXPECT_EQ(ReadFile(out), "an older movie");
-  EXPECT_EQ(Rayimg({"movie", out, good}).status, 0);
-  EXPECT_TRUE(ReadFile(out).starts_with("RIFF"));
-}
-
-// A movie keeps the bytes of its frames, and players ignore EXIF in them.
-TEST(RayimgMovie, AFrameWithARotationIsRefused) {
-  NEEDS_RAYIMG();
-  const TemporaryFolder folder;
-  const Finished done =
-      Rayimg({"movie", folder / "out.avi", (project::Root() / "tests/R2/samples/orientation-3.jpg").string()});
-  EXPECT_EQ(done.status, 2);
-  EXPECT_TRUE(Has(done.error, "has an orientation")) << done.error;
-}
-
-// --- wrong input ---
 
 }  // namespace
 }  // namespace ray::rayimg

@@ -1,16 +1,23 @@
-// Answers of the programs to commands. The files of tests/app contain commands with their answers: commands.txt those
-// that users of other renderers, and of the course's, type first; options.txt and rayimg.txt wrong ones; warnings.txt
-// likely mistakes; files.txt commands with the wrong files; scenes.txt scenes. RAYTESTS_RECORD=1 records the answers
-// again: read the difference.
+// Answers of the programs to commands. Each file of tests/app has a subject, and a comment states what the commands
+// below it show. RAYTESTS_RECORD=1 records the answers again: read the difference.
+//
+//     # A light that nothing sees is reported.       what the answer shows
+//     $ raypro - -check -quiet <<.                   a command, for sh
+//     > sphere 0  0 0 0  1                           its further lines
+//     > .
+//       0                                            its exit status
+//       ! <stdin>: warning: ...                      standard error
+//       | files         1                            standard output
+//       + out.png                                    a file that a failed command leaves behind
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 #include "R2/ImageFile.h"
 #include "tests/Project.h"
@@ -22,19 +29,27 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The marks that begin a line of the command and of its answer in the file.
+constexpr const char* comment_mark = "# ";
 constexpr const char* prompt = "$ ";
+constexpr const char* next_line_prompt = "> ";
 constexpr const char* output_mark = "  | ";
 constexpr const char* error_mark = "  ! ";
 constexpr const char* file_mark = "  + ";  // a file that a failed command leaves behind
 constexpr const char* header =
     "# Commands, exit statuses, the first lines on standard error (!) and standard output (|), and files that\n"
     "# commands which fail leave behind (+), recorded with\n"
-    "# RAYTESTS_RECORD=1 build/raytests --gtest_filter=Commands.*\n";
-constexpr std::size_t most_lines = 6;  // per stream; long answers are tested elsewhere
+    "# RAYTESTS_RECORD=1 build/raytests --gtest_filter=*Commands.*\n";
+constexpr std::size_t most_errors = 40, most_output = 6;  // lines; long answers are tested elsewhere
 
-constexpr std::array transcripts{"commands.txt", "options.txt", "rayimg.txt",
-                                 "warnings.txt", "files.txt",   "scenes.txt"};
 std::string DataFile(const std::string& name) { return (project::Root() / "tests/app" / name).string(); }
+
+std::vector<std::string> Transcripts() {
+  std::vector<std::string> names;
+  std::error_code ignored;  // without the folder, the tests that name a transcript fail
+  for (const auto& entry : fs::directory_iterator(DataFile(""), ignored)) names.push_back(entry.path().stem());
+  std::ranges::sort(names);
+  return names;
+}
 
 void WriteImage(const std::string& file, int width, int height, float level) {
   R2::Image image(width, height);
@@ -66,14 +81,18 @@ struct Folder : TemporaryFolder {
   std::vector<std::string> known;
 };
 
-/// Returns the first lines, each after its mark. Times, speeds and the features of a build vary and are replaced, and a
-/// new command changes no answer.
-std::string Shown(std::string text, const std::string& mark) {
+/// Returns the first lines, each after its mark. Times, speeds, folders and the features of a build vary and are
+/// replaced, progress is shown on slow machines only, and a new command changes no answer.
+std::string Shown(std::string text, const std::string& mark, std::size_t most_lines, const std::string& folder) {
   static const std::pair<std::regex, const char*> varying[] = {
       {std::regex(R"([0-9.]+ s [0-9.]+ Mrays/s)"), "TIME"},
+      {std::regex(R"( *\d+%  [^\n]* Mrays/s\n)"), ""},
       {std::regex(R"(raypro \d+\.\d+\.\d+(\nbuilt from: [^\n]*)?|built with: [^\n]*)"), "BUILD"},
       {std::regex("commands are [a-z_, ]+"), "commands are ALL"}};
   for (const auto& [what, by] : varying) text = std::regex_replace(text, what, by);
+  const std::string root = fs::canonical(project::Root()).string();
+  for (const auto& [path, by] : {std::pair(folder, "FOLDER"), std::pair(root, "ROOT")})
+    for (std::size_t i; (i = text.find(path)) != std::string::npos;) text.replace(i, path.size(), by);
   std::istringstream lines(text);
   std::string shown;
   std::size_t count = 0;
@@ -82,81 +101,107 @@ std::string Shown(std::string text, const std::string& mark) {
   return count > most_lines ? shown + mark + "...\n" : shown;
 }
 
-/// Returns the command, its exit status and its output in the format of the file.
-std::string Answer(const std::string& command) {
+/// Returns the exit status of the command and its output in the format of the file.
+std::string AnswerTo(const std::string& command) {
   const Folder place;
   const TemporaryFolder aside;
   fs::create_directory(aside / "bin");
   for (const auto& [name, variable] : {std::pair{"raypro", "RAYPRO"}, {"rayimg", "RAYIMG"}, {"rayview", "RAYVIEW"}})
     if (const char* program = ProgramName(variable)) fs::create_symlink(program, aside / ("bin/" + std::string(name)));
   WriteFile(aside / "command", command + "\n");
-  const int ended =
-      std::system(("cd '" + place.Path().string() + "' && PATH='" + aside / "bin" + "':$PATH TERM=dumb sh '" +
-                   aside / "command" + "' >'" + aside / "output" + "' 2>'" + aside / "error" + "' </dev/null")
-                      .c_str());
+  const int ended = std::system(("cd '" + place.Path().string() + "' && ROOT='" +
+                                 fs::canonical(project::Root()).string() + "' PATH='" + aside / "bin" +
+                                 "':$PATH TERM=dumb sh '" + aside / "command" + "' >'" + aside / "output" + "' 2>'" +
+                                 aside / "error" + "' </dev/null")
+                                    .c_str());
   const int status = WEXITSTATUS(ended);
   std::vector<std::string> files = place.Others(place.known);
   std::ranges::sort(files);
   std::string left;
   if (status)
     for (const std::string& file : files) left += file_mark + file + "\n";
-  return prompt + command + "\n  " + std::to_string(status) + "\n" + Shown(ReadFile(aside / "error"), error_mark) +
-         Shown(ReadFile(aside / "output"), output_mark) + left;
+  const auto shown = [&](const char* stream, const char* mark, std::size_t most) {
+    return Shown(ReadFile(aside / stream), mark, most, place.Path().string());
+  };
+  return "  " + std::to_string(status) + "\n" + shown("error", error_mark, most_errors) +
+         shown("output", output_mark, most_output) + left;
 }
 
-/// Returns the answers of the file, each of which begins with its command.
-std::vector<std::string> Recorded(const std::string& name) {
-  std::istringstream lines(ReadFile(DataFile(name)));
-  std::vector<std::string> answers;
+struct Recorded {
+  std::string comment;  // including its marks
+  std::string command;
+  std::string answer;
+
+  std::string WithAnswer(const std::string& now) const {
+    return comment + prompt + std::regex_replace(command, std::regex("\n"), std::string("\n") + next_line_prompt) +
+           "\n" + now;
+  }
+};
+
+std::vector<Recorded> ReadTranscript(const std::string& name) {
+  std::istringstream lines(ReadFile(DataFile(name + ".txt")).substr(std::string(header).size()));
+  std::vector<Recorded> all;
+  std::string comment;
   for (std::string line; std::getline(lines, line);)
-    if (line.starts_with(prompt))
-      answers.push_back(line + "\n");
-    else if (!answers.empty())
-      answers.back() += line + "\n";
-  return answers;
+    if (line.starts_with(comment_mark))
+      comment += line + "\n";
+    else if (line.starts_with(prompt))
+      all.push_back({std::exchange(comment, ""), line.substr(std::string(prompt).size()), ""});
+    else if (line.starts_with(next_line_prompt))
+      all.back().command += "\n" + line.substr(std::string(next_line_prompt).size());
+    else
+      all.back().answer += line + "\n";
+  return all;
 }
 
-std::string CommandOf(const std::string& answer) {
-  const std::size_t begin = std::string(prompt).size();
-  return answer.substr(begin, answer.find('\n') - begin);
+/// Returns false if this build lacks a format that the answer shows, or the program.
+bool CanBeRun(const Recorded& one) {
+  static const bool has_exr = R2::FormatForName("a.exr"),
+                    has_yaml = Has(RunProgram({"-list", "scenes"}).output, ".yaml");
+  const std::string all = one.command + one.answer;
+  return (has_exr || !Has(all, "exr")) && (has_yaml || !std::regex_search(all, std::regex("ya?ml"))) &&
+         (ProgramName("RAYVIEW") || !Has(one.command, "rayview "));
 }
 
-TEST(Commands, AreAnsweredAsRecorded) {
+class Commands : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Commands, AreAnsweredAsRecorded) {
   NEEDS_THE_PROGRAM();
   NEEDS_RAYIMG();
-  NEEDS_RAYVIEW();
-  if (!R2::FormatForName("a.exr") || !Has(RunProgram({"-list", "scenes"}).output, ".yaml"))
-    GTEST_SKIP() << "answers that list formats are recorded with OpenEXR and yaml-cpp";
-  for (const char* name : transcripts) {
-    const std::vector<std::string> recorded = Recorded(name);
-    EXPECT_GE(recorded.size(), 20u) << name;
-    std::string all;
-    for (const std::string& answer : recorded) {
-      const std::string now = Answer(CommandOf(answer));
-      EXPECT_EQ(now, answer);
-      all += now;
-    }
-    if (std::getenv("RAYTESTS_RECORD")) WriteFile(DataFile(name), header + all);
+  const std::vector<Recorded> recorded = ReadTranscript(GetParam());
+  std::string all;
+  int run = 0;
+  for (const Recorded& one : recorded) {
+    const bool can_be_run = CanBeRun(one);
+    const std::string now = can_be_run ? AnswerTo(one.command) : one.answer;
+    EXPECT_EQ(one.WithAnswer(now), one.WithAnswer(one.answer));
+    all += one.WithAnswer(now);
+    run += can_be_run;
   }
+  EXPECT_GT(run, 0);
+  if (std::getenv("RAYTESTS_RECORD")) WriteFile(DataFile(GetParam() + ".txt"), header + all);
 }
+
+INSTANTIATE_TEST_SUITE_P(Of, Commands, ::testing::ValuesIn(Transcripts()),
+                         [](const auto& transcript) { return transcript.param; });
 
 // A script that checks only the exit status must not take an answer for an image. One line, on standard error alone,
 // states the mistake.
-TEST(Commands, ThatAreWrongAreAnsweredInOneLine) {
-  for (const char* name : {"options.txt", "rayimg.txt"})
-    for (const std::string& answer : Recorded(name)) {
-      EXPECT_FALSE(Has(answer, "\n  0\n")) << answer;
-      EXPECT_EQ(std::count(answer.begin(), answer.end(), '\n'), 3) << answer;
-      EXPECT_TRUE(Has(answer, std::string("\n") + error_mark)) << answer;
+TEST(AnswersToCommands, ThatAreWrongAreOneLine) {
+  for (const char* name : {"options", "rayimg"})
+    for (const Recorded& one : ReadTranscript(name)) {
+      EXPECT_FALSE(one.answer.starts_with("  0\n")) << one.command;
+      EXPECT_EQ(std::ranges::count(one.answer, '\n'), 2) << one.command;
+      EXPECT_TRUE(Has(one.answer, std::string("\n") + error_mark)) << one.command;
     }
 }
 
-TEST(Commands, SucceedOnlyWithAnImageUnlessTextWasRequested) {
+TEST(AnswersToCommands, AreImagesUnlessTextWasRequested) {
   const std::regex asks_for_words(" (-h|-?-help|-?-version|-list|-check|-info|-debugpixel|-complete|-man)\\b|^rayimg");
-  for (const std::string& answer : Recorded("commands.txt")) {
-    const bool succeeds = Has(answer, "\n  0\n");
-    const bool has_image = Has(answer, " spp TIME") || Has(answer, "> out.png");
-    EXPECT_TRUE(!succeeds || has_image || std::regex_search(CommandOf(answer), asks_for_words)) << answer;
+  for (const Recorded& one : ReadTranscript("commands")) {
+    const bool succeeds = one.answer.starts_with("  0\n");
+    const bool has_image = Has(one.answer, " spp TIME") || Has(one.command, "> out.png");
+    EXPECT_TRUE(!succeeds || has_image || std::regex_search(one.command, asks_for_words)) << one.command;
   }
 }
 

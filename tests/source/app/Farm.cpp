@@ -508,30 +508,5 @@ TEST(Farm, ATimedPartWithoutAPlanIsRefused) {
   EXPECT_TRUE(Has(part.error, "out.png.plan") && Has(part.error, "-missing n writes it")) << part.error;
 }
 
-TEST(Farm, OptionsWithoutMeaningForPartsAreRefused) {
-  const struct {
-    List words;
-    const char* reason;
-  } cases[] = {
-      {{"-part", "0/3"}, "i from 1 to n"},
-      {{"-part", "4/3"}, "i from 1 to n"},
-      {{"-part", "3"}, "i from 1 to n"},
-      {{"-part", "1/2000000"}, "i from 1 to n"},
-      {{"-part", "1/2", "-report", "r.json"}, "-report needs the whole image"},
-      {{"-part", "1/2", "-parts", "x"}, "contradict"},
-      {{"-part", "1/2", "-missing", "2"}, "contradict"},
-      {{"-parts", "x", "-resume"}, "contradict"},
-      {{"-missing", "2", "-stats"}, "-stats needs the whole image"},
-  };
-  for (const auto& [words, reason] : cases) {
-    try {
-      ReadCommandLine(Program::raypro, With({"a.scn", "b.png"}, words));
-      ADD_FAILURE() << words[0] << ' ' << words[1];
-    } catch (const std::runtime_error& error) {
-      EXPECT_TRUE(Has(error.what(), reason)) << error.what();
-    }
-  }
-}
-
 }  // namespace
 }  // namespace ray::testing

@@ -35,31 +35,5 @@ TEST(Layers, AFlareCanBeSubtractedFromTheImage) {
   EXPECT_GT(most, 0.5);
 }
 
-TEST(Layers, OfAnImageWithAFlareAreThoseWithout) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place(scene_with_a_lamp_in_view);
-  for (const char* flare : {"0", "1"}) {
-    const Finished done = RunProgram({place.Scene(), place / (std::string(flare) + ".pfm"), "-width", "40", "-height",
-                                      "30", "-flare", flare, "-layers", "depth,normal,albedo"});
-    EXPECT_EQ(done.status, 0) << done.error;
-  }
-  for (const char* layer : {".depth.pfm", ".normal.pfm", ".albedo.pfm"})
-    EXPECT_TRUE(ReadFile(place / ("0" + std::string(layer))) == ReadFile(place / ("1" + std::string(layer)))) << layer;
-  EXPECT_FALSE(ReadFile(place / "0.pfm") == ReadFile(place / "1.pfm"));
-}
-
-TEST(Layers, AFlareIsAFileBesideImagesWithoutLayers) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place(scene_with_a_lamp_in_view);
-  const Finished done = RunProgram({place.Scene(), place / "a.png", "-width", "40", "-height", "30", "-flare", "1",
-                                    "-layers", "flare"});
-  EXPECT_EQ(done.status, 0) << done.error;
-  const R2::Image flare = Decode(place / "a.flare.png").image;
-  EXPECT_EQ(flare.Width(), 40);
-  float most = 0;
-  for (const float channel : flare.Channels()) most = std::max(most, channel);
-  EXPECT_GT(most, 0.5);
-}
-
 }  // namespace
 }  // namespace ray::testing

@@ -1,4 +1,4 @@
-// Runs of raypro -resume, and the checkpoints that it accepts.
+// Runs of raypro -resume after a signal; tests/app/budgets.txt has those after a render that ended.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -9,79 +9,10 @@
 namespace ray::testing {
 namespace {
 
-const std::string soft_shadow =
-    "area_light 1 1 1  0 3 0  0 -1 0  0.8  1 0 0\nsphere -1  0 0 0  0.5\nbox -1  -2 -0.6 -2  2 -0.5 2\n";
-
 /// Renders 24x16 pixels with additional options.
 Finished RenderWith(const std::string& scene, const std::string& image, std::vector<std::string> words) {
   words.insert(words.begin(), {scene, image, "-width", "24", "-height", "16"});
   return RunProgram(words);
-}
-
-TEST(Resume, WithoutACheckpointBeginsAndReportsIt) {
-  NEEDS_THE_PROGRAM();
-  const TemporaryFolder place;
-  const std::string scene = WriteFile(place / "in.scn", soft_shadow);
-  const Finished done = RenderWith(scene, place / "out.png", {"-resume"});
-  EXPECT_EQ(done.status, 0) << done.error;
-  EXPECT_TRUE(Has(done.error, "nothing to resume")) << done.error;
-  EXPECT_EQ(place.Others({"in.scn", "out.png"}), std::vector<std::string>{});
-}
-
-TEST(Resume, AddsSamplesAsIfRequestedAtOnce) {
-  NEEDS_THE_PROGRAM();
-  const TemporaryFolder place;
-  const std::string scene = WriteFile(place / "in.scn", soft_shadow);
-  for (const std::string filter : {"box", "gaussian"})
-    for (const std::string mode : {"whitted", "path"})
-      for (const std::string samples : {"5", "70"}) {
-        const std::vector<std::string> both{"-filter", filter, "-mode", mode};
-        const auto with = [&](std::vector<std::string> words) {
-          words.insert(words.end(), both.begin(), both.end());
-          return words;
-        };
-        ASSERT_EQ(RenderWith(scene, place / "a.pfm", with({"-samples", "4", "-keep_checkpoint"})).status, 0);
-        ASSERT_EQ(place.Others({"in.scn", "a.pfm", "b.pfm"}), std::vector<std::string>{"a.pfm.checkpoint"});
-        const Finished more = RenderWith(scene, place / "a.pfm", with({"-samples", samples, "-resume"}));
-        ASSERT_EQ(more.status, 0) << more.error;
-        ASSERT_EQ(RenderWith(scene, place / "b.pfm", with({"-samples", samples})).status, 0);
-        EXPECT_TRUE(ReadFile(place / "a.pfm") == ReadFile(place / "b.pfm")) << filter << ' ' << mode << ' ' << samples;
-        EXPECT_EQ(place.Others({"in.scn", "a.pfm", "b.pfm"}), std::vector<std::string>{});
-      }
-}
-
-TEST(Resume, RefusesAnythingButTheImageOfOneRun) {
-  NEEDS_THE_PROGRAM();
-  const TemporaryFolder place;
-  const std::string scene = WriteFile(place / "in.scn", soft_shadow), image = place / "a.pfm";
-  const struct {
-    std::vector<std::string> first, then;
-    const char* reason;
-  } cases[] = {
-      {{"-samples", "4"}, {"-samples", "2"}, "samples can be added but not removed"},
-      {{"-samples", "4", "-sampler", "stratified"}, {"-samples", "8", "-sampler", "stratified"}, "in advance"},
-      {{"-samples", "4", "-sampler", "grid"}, {"-samples", "9", "-sampler", "grid"}, "in advance"},
-      {{"-samples", "6", "-filter", "mitchell"}, {"-samples", "8", "-filter", "mitchell"}, "1, 2, 4, ... 64, 128"},
-      {{"-samples", "4", "-error", "100"}, {"-samples", "8", "-error", "100"}, "with -error"},
-      {{"-samples", "4"}, {"-samples", "8", "-seed", "3"}, "-seed 0"},
-      {{"-samples", "1"}, {"-samples", "4"}, "in the middle of its pixel"},
-      {{"-time", "0.1"}, {}, "more than -samples 1: samples can be added but not removed"},
-  };
-  for (auto [first, then, reason] : cases) {
-    first.insert(first.end(), {"-keep_checkpoint", "-restart"});
-    then.emplace_back("-resume");
-    ASSERT_EQ(RenderWith(scene, image, first).status, 0) << reason;
-    const std::string before = ReadFile(image);
-    const Finished done = RenderWith(scene, image, then);
-    EXPECT_EQ(done.status, 3) << reason;
-    EXPECT_TRUE(Has(done.error, reason)) << done.error;
-    EXPECT_TRUE(ReadFile(image) == before);
-  }
-  // The hash means nothing to a user.
-  WriteFile(scene, soft_shadow + std::string("sphere -1  0 9 0  .1\n"));
-  const Finished other = RenderWith(scene, image, {"-samples", "4", "-resume"});
-  EXPECT_EQ(other.status, 3);
-  EXPECT_TRUE(Has(other.error, "cannot resume: the checkpoint belongs to a different scene\n")) << other.error;
 }
 
 /// A render of two seconds on any number of processors, and the files that it leaves when a signal ends it after half

@@ -1,7 +1,7 @@
 #include "source/parse/Files.h"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
+#include <unistd.h>
 
 #include <functional>
 
@@ -33,15 +33,6 @@ class ScopedCurrentFolder {
  private:
   fs::path before_;
 };
-
-// A misspelled folder was once accepted silently.
-TEST(Files, AnAllowedFolderMustExist) {
-  const Folder folder;
-  const std::string file = folder.Write("a.off", "top").string(), none = (folder / "none").string();
-  EXPECT_EQ(ErrorOf([&] { Files("x.scn", {none}); }), "-allow_path '" + none + "': there is no such folder");
-  EXPECT_EQ(ErrorOf([&] { Files("x.scn", {file}); }), "-allow_path '" + file + "': it is not a folder");
-  EXPECT_EQ(ErrorOf([&] { Files("x.scn", {(folder / ".").string()}); }), "(none)");
-}
 
 TEST(Files, AreSearchedNextToTheFileThatNamesThem) {
   const Folder folder;
@@ -131,54 +122,6 @@ TEST(Files, ABareSceneNameMeansTheCurrentFolder) {
   EXPECT_EQ(ReadNamed(Files("scene.scn", {}), "a.off", "scene.scn"), "x");
 }
 
-TEST(Extremes, K1_OutsideFilesAreRefusedAndTheOptionIsNamed) {
-  const Folder folder, outside;
-  outside.Write("secret.off", "x");
-  const Files files(folder / "scene.scn", {});
-  const std::string name = (outside / "secret.off").string();
-  const std::string refusal = "'" + name + "' is outside the scene's folder and the current folder; -allow_path " +
-                              outside.Path().string() + " allows it";
-  EXPECT_EQ(ErrorOf([&] { files.Find(name, (folder / "scene.scn").string()); }), refusal);
-  const std::string upward = "../" + outside.Path().filename().string() + "/secret.off";
-  EXPECT_TRUE(Contains(ErrorOf([&] { files.Find(upward, (folder / "scene.scn").string()); }), "is outside"));
-}
-
-TEST(Extremes, K1_AllowingAFolderDoesNotAllowItsNeighbors) {
-  const Folder folder, outside;
-  outside.Write("open/a.off", "x");
-  outside.Write("opening/a.off", "x");
-  const Files files(folder / "scene.scn", {outside / "open/"});
-  EXPECT_EQ(ReadNamed(files, (outside / "open/a.off").string(), folder / "scene.scn"), "x");
-  EXPECT_TRUE(Contains(ErrorOf([&] { ReadNamed(files, (outside / "opening/a.off").string(), folder / "scene.scn"); }),
-                       "is outside"));
-  EXPECT_EQ(ReadNamed(Files(folder / "scene.scn", {"/"}), (outside / "opening/a.off").string(), folder / "s"), "x");
-}
-
-TEST(Extremes, K1_OnlyRegularFilesAreRead) {
-  const Folder folder;
-  fs::create_directory(folder / "sub");
-  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
-  const Files files(folder / "scene.scn", {"/dev"});
-  const auto error = [&](const std::string& name) {
-    return ErrorOf([&] { ReadNamed(files, name, folder / "scene.scn"); });
-  };
-  EXPECT_TRUE(Contains(error("sub"), "is a folder"));
-  EXPECT_TRUE(Contains(error("pipe"), "is a pipe"));  // without waiting for its other end
-  EXPECT_TRUE(Contains(error("/dev/zero"), "is a device"));
-  EXPECT_EQ(error("file:///etc/passwd"), "no such file: 'file:///etc/passwd'");
-}
-
-TEST(Extremes, K2_OnlyLinksWithinTheFolderAreFollowed) {
-  const Folder folder, outside;
-  outside.Write("a.off", "outside");
-  folder.Write("b.off", "inside");
-  fs::create_symlink(outside / "a.off", folder / "out.off");
-  fs::create_symlink("b.off", folder / "in.off");
-  const Files files(folder / "scene.scn", {});
-  EXPECT_TRUE(Contains(ErrorOf([&] { files.Find("out.off", (folder / "s").string()); }), "is outside"));
-  EXPECT_EQ(ReadNamed(files, "in.off", folder / "s"), "inside");
-}
-
 TEST(Extremes, K2_LinksSwappedInAfterTheCheckAreNotFollowed) {
   const Folder folder, outside;
   outside.Write("a.off", "secret");
@@ -203,65 +146,12 @@ TEST(Extremes, K8_NamesAreBytes) {
   EXPECT_TRUE(Contains(ErrorOf([&] { files.Find(std::string(10000, 'x'), (folder / "s").string()); }), "cannot open"));
 }
 
-TEST(Files, UnreadableTopScenesAreErrorsOfTheWholeFile) {
-  const Folder folder;
-  EXPECT_EQ(ReportOf(folder, "nowhere.scn"), "nowhere.scn: error: no such file");
-  fs::create_directory(folder / "folder.scn");
-  EXPECT_EQ(ReportOf(folder, "folder.scn"), "folder.scn: error: 'folder.scn' is a folder");
-  folder.Write("scene.foo", "");
-  const std::string report = ReportOf(folder, "scene.foo");
-  EXPECT_TRUE(report.starts_with("scene.foo: error: cannot read '.foo'; supported: scenes .scn")) << report;
-  EXPECT_TRUE(Contains(report, "; meshes .off")) << report;
-  folder.Write("LOUD.SCN", "");
-  EXPECT_EQ(ReportOf(folder, "LOUD.SCN"), "");
-}
-
 TEST(Files, AnUnreadableSceneIsAnError) {
   const Folder folder;
   folder.Write("scene.scn", "");
   fs::permissions(folder / "scene.scn", fs::perms::none);
   if (geteuid() == 0) GTEST_SKIP() << "the superuser reads everything";
   EXPECT_TRUE(Contains(ReportOf(folder, "scene.scn"), "cannot open"));
-}
-
-TEST(Files, AMissingFileIsNamedWithTheNearestOne) {
-  const Folder folder;
-  for (const char* file : {"cube.off", "sub/part.obj", "Wood Floor.png", "scene.scn"}) folder.Write(file, "");
-  const Files files(folder / "scene.scn", {});
-  const auto hint = [&](const std::string& name) {
-    return ErrorOf([&] { ReadNamed(files, name, folder / "scene.scn"); });
-  };
-  const auto meant = [](const std::string& name, const std::string& file) {
-    return "no such file: '" + name + "'; did you mean '" + file + "'?";
-  };
-  EXPECT_EQ(hint("CUBE.OFF"), meant("CUBE.OFF", "cube.off"));
-  EXPECT_EQ(hint("cueb.off"), meant("cueb.off", "cube.off"));
-  EXPECT_EQ(hint("cube.obj"), meant("cube.obj", "cube.off"));
-  EXPECT_EQ(hint("sub/prat.obj"), meant("sub/prat.obj", "sub/part.obj"));
-  EXPECT_EQ(hint("sub\\part.obj"), meant("sub\\part.obj", "sub/part.obj"));
-  EXPECT_EQ(hint("wood floor.png"), meant("wood floor.png", "Wood Floor.png"));
-  EXPECT_EQ(hint("scen.scn"), meant("scen.scn", "scene.scn"));
-  EXPECT_EQ(hint("scene.png"), "no such file: 'scene.png'") << "a scene is no texture";
-  EXPECT_EQ(hint("none/at/all"), "no such file: 'none/at/all'");
-  EXPECT_EQ(ReportOf(folder, "scenes.scn"), "scenes.scn: error: no such file; did you mean 'scene.scn'?");
-}
-
-// A scene may come from an untrusted source: it learns nothing about folders that it may not read.
-TEST(Files, HintsComeOnlyFromFoldersThatMayBeRead) {
-  const Folder outside, folder;
-  outside.Write("secret.off", "");
-  folder.Write("scene.scn", "mesh -1 " + (outside / "SECRET.off").string() + "\n");
-  EXPECT_FALSE(Contains(ReportOf(folder, "scene.scn"), "did you mean"));
-}
-
-// In a deep folder, the truncated part was the very name that the author was looking for.
-TEST(Files, ErrorsNameTheWholePathHoweverLong) {
-  const Folder folder;
-  const std::string deep(100, 'd'), scene = deep + "/scene.scn";
-  folder.Write(deep + "/mesh.xyz", "");
-  folder.Write(scene, "mesh -1 mesh.xyz");
-  EXPECT_TRUE(Contains(ReportOf(folder, scene), "error: cannot read '" + deep + "/mesh.xyz' as a mesh"))
-      << ReportOf(folder, scene);
 }
 
 }  // namespace

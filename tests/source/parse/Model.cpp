@@ -116,20 +116,6 @@ TEST(Models, WithoutTheKeywordAMeshHasTheScenesMaterial) {
   ExpectColor(models.SeenAt("meshlab_colors.obj", 0.25, 0.5, ""), {0, 0.5, 0});
 }
 
-TEST(Models, ThatIgnoreTheirFilesMaterialsAreReported) {
-  const Models models;
-  const auto warnings = [&](const std::string& scene) { return Parse(models.Write("scene.scn", scene), {}).warnings; };
-  const auto gray = warnings("mesh -1 blender_box.obj\n");
-  ASSERT_EQ(gray.size(), 1u);
-  EXPECT_TRUE(
-      gray[0].ends_with("scene.scn:1:1: warning: the mesh is gray; 'materials' after its name uses those of its file"))
-      << gray[0];
-  EXPECT_EQ(warnings("mesh -1 meshlab_colors.obj\n").size(), 1u);
-  EXPECT_TRUE(warnings("mesh -1 blender_box.obj materials\n").empty());
-  EXPECT_TRUE(warnings(red + "mesh 0 blender_box.obj\n").empty());
-  EXPECT_TRUE(warnings(red + "begin 0" + identity + "mesh -1 blender_box.obj\nend\n").empty());
-}
-
 TEST(Models, UsedTwiceShareTheirMeshesAndMaterials) {
   const Models models;
   const Scene scene = Parse(models.Write("scene.scn",
@@ -152,24 +138,6 @@ std::vector<std::string> WarningsOf(const Folder& folder, const std::string& nam
 }
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-
-TEST(Models, MissingPartsOfLibrariesAreReported) {
-  const Folder folder;
-  folder.Write("a.mtl", "newmtl red\nKd 1 0 0\nmap_Kd my wod.png\n");
-  folder.Write("my wood.png", "no image");
-  folder.Write("a.obj", "mtllib b.mtl a.mtl\n" + triangle + "usemtl red\nf 1 2 3\n");
-  EXPECT_EQ(WarningsOf(folder, "a.obj"),
-            (std::vector<std::string>{
-                "a.obj:1:8: warning: no such file: 'b.mtl'; its materials are gray; did you mean 'a.mtl'?",
-                "a.mtl:3:8: warning: no such file: 'my wod.png'; the material does not use it; did you mean "
-                "'my wood.png'?"}));
-  folder.Write("b.obj", "mtllib a.mtl\n" + triangle + "usemtl rde\nf 1 2 3\n");
-  EXPECT_EQ(
-      WarningsOf(folder, "b.obj"),
-      std::vector<std::string>{"b.obj:5:8: warning: unknown material 'rde'; its faces are gray; did you mean 'red'?"});
-  folder.Write("c.obj", triangle + "usemtl None\nf 1 2 3\n");
-  EXPECT_TRUE(WarningsOf(folder, "c.obj").empty());
-}
 
 TEST(Models, NamesMayHaveBlanksAndCommentsBehindThem) {
   const Folder folder;
@@ -235,44 +203,24 @@ TEST(Models, MaterialsAreClearByDissolveOrByRefraction) {
   EXPECT_EQ(glass.ir, 1.5);
 }
 
-TEST(Models, UnsupportedStatementsAreReportedWithTheirPosition) {
-  const Folder folder;
-  folder.Write("gray.ppm", "P3 1 1 255 128 128 128\n");
-  folder.Write("a.mtl",
-               "Kd 1 1 1\nnewmtl a\nmap_Ks gray.ppm\nPr .5\nKs spectral a.rfl\nmap_Ka gray.ppm\n"
-               "map_Kd -blendu on -mm 0 1 -clamp on gray.ppm\nmap_bump -bm 2 gray.ppm\nd -halo .5\nfoo\n"
-               "newmtl b\n Pr .6\nnewmtl c\nPr .7\n");
-  folder.Write("a.obj", "mtllib a.mtl\n" + triangle + "vt 0 0\nvt 2 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n");
-  EXPECT_EQ(WarningsOf(folder, "a.obj"),
-            (std::vector<std::string>{
-                "a.mtl:1:1: warning: 'Kd' before the first newmtl ignored",
-                "a.mtl:3:1: warning: 'map_Ks' is not supported and ignored",
-                "a.mtl:4:1: warning: 'Pr' is not supported and ignored, 3 times, the first of them here",
-                "a.mtl:5:4: warning: a color must be r g b; 'spectral' is not supported and ignored",
-                "a.mtl:7:19: warning: '-mm' is not supported and ignored",
-                "a.mtl:9:3: warning: '-halo' is not supported and ignored",
-                "a.mtl:10:1: warning: 'foo' is not supported and ignored",
-                "a.mtl:7:37: warning: '-clamp on' is not supported: the texture repeats"}));
-  const Scene scene = Parse(folder / "a.obj", {}).scene;
-  const Material& a = scene.materials.at(static_cast<std::size_t>(scene.root.children.at(0).material));
-  EXPECT_TRUE(a.bump);
-  EXPECT_DOUBLE_EQ(a.bump_height, 0.02);  // -bm 2, a hundredth of the extent
+/// Returns the materials of a model's parts, in order.
+std::vector<Material> MaterialsOf(const Folder& folder, const std::string& name) {
+  const Scene scene = Parse(folder / name, {}).scene;
+  std::vector<Material> materials;
+  for (const Node& node : scene.root.children)  // except the ground, which is the last
+    materials.push_back(scene.materials.at(static_cast<std::size_t>(node.material)));
+  materials.pop_back();
+  return materials;
 }
 
-TEST(Models, MistakesInALibraryAreErrorsInIt) {
-  const auto error = [](const std::string& statements) {
-    const Folder folder;
-    folder.Write("a.mtl", "newmtl a\n" + statements);
-    folder.Write("a.obj", "mtllib a.mtl\n" + triangle + "usemtl a\nf 1 2 3\n");
-    const std::string report = ReportOf(folder, "a.obj");
-    return report.substr(0, report.find('\n'));
-  };
-  EXPECT_EQ(error("Kd 1 x 0\n"), "a.mtl:2:6: error: Kd must be a number, got 'x'");
-  EXPECT_EQ(error("Kd 1 0\n"), "a.mtl:2:6: error: Kd: a number is missing");
-  EXPECT_EQ(error("Kd -1 0 0\n"), "a.mtl:2:4: error: Kd must not be negative, got -1");
-  EXPECT_EQ(error("Ns 1.#QNAN\n"), "a.mtl:2:4: error: Ns must be a finite number, got '1.#QNAN'");
-  EXPECT_EQ(error("illum 2.5\n"), "a.mtl:2:7: error: illum must be a whole number from 0 to 10, got 2.5");
-  EXPECT_EQ(error("map_Kd -foo 1 a.png\n"), "a.mtl:2:8: error: unknown option '-foo' of a texture");
+TEST(Models, BumpsAreHundredthsOfTheExtentHigh) {
+  const Folder folder;
+  folder.Write("gray.ppm", "P3 1 1 255 128 128 128\n");
+  folder.Write("a.mtl", "newmtl a\nmap_bump -bm 2 gray.ppm\n");
+  folder.Write("a.obj", "mtllib a.mtl\n" + triangle + "vt 0 0\nvt 2 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n");
+  const Material a = MaterialsOf(folder, "a.obj").at(0);
+  EXPECT_TRUE(a.bump);
+  EXPECT_DOUBLE_EQ(a.bump_height, 0.02);
 }
 
 TEST(Models, OfPlyHaveVertexColorsAndTextures) {
@@ -304,15 +252,19 @@ TEST(Models, OfPlyHaveVertexColorsAndTextures) {
             double{102 / 255.f});
 }
 
+using Colors = std::vector<std::array<float, 3>>;
+
+/// Returns the vertex colors of a single mesh.
+Colors ColorsOf(const Folder& folder, const std::string& name) {
+  const Scene scene = Parse(folder / name, {}).scene;
+  return dynamic_cast<const R3::Mesh&>(*scene.root.children.at(0).shape).Data().colors;
+}
+
 TEST(Models, InvalidVertexColorsAreWhite) {
   const Folder folder;
   folder.Write("a.obj", "v 0 0 0 .25 .5 .75\nv 1 0 0\nv 0 1 0 nan 0 0\nv 1 1 0 0 -1 0\nf 1 2 4 3\n");
-  const ParsedScene parsed = Parse(folder / "a.obj", {});
-  const auto& data = dynamic_cast<const R3::Mesh&>(*parsed.scene.root.children.at(0).shape).Data();
   const std::array<float, 3> white{1, 1, 1};
-  EXPECT_EQ(data.colors, (std::vector<std::array<float, 3>>{{0.25f, 0.5f, 0.75f}, white, white, white}));
-  ASSERT_EQ(parsed.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(parsed.warnings[0], "a.obj:3:9: warning: 2 colors of vertices are not finite or negative"));
+  EXPECT_EQ(ColorsOf(folder, "a.obj"), (Colors{{0.25f, 0.5f, 0.75f}, white, white, white}));
 }
 
 TEST(Models, BytesOfColorsAreDecodedInALinearWorkflow) {
@@ -328,16 +280,6 @@ TEST(Models, BytesOfColorsAreDecodedInALinearWorkflow) {
   EXPECT_EQ(color[2], 1);
 }
 
-/// Returns the materials of a model's parts, in order.
-std::vector<Material> MaterialsOf(const Folder& folder, const std::string& name) {
-  const Scene scene = Parse(folder / name, {}).scene;
-  std::vector<Material> materials;
-  for (const Node& node : scene.root.children)  // except the ground, which is the last
-    materials.push_back(scene.materials.at(static_cast<std::size_t>(node.material)));
-  materials.pop_back();
-  return materials;
-}
-
 const std::string one_face = triangle + "usemtl a\nf 1 2 3\n";
 
 // MeshLab before 2023 and programs for photogrammetry write this for materials that they show as opaque.
@@ -350,36 +292,17 @@ TEST(Models, WithoutTransparencyInTheirIlluminationAreOpaque) {
   }
   EXPECT_EQ(MaterialOf("Kd .1 .2 .3\nTr 1\nillum 4\n").kd, none) << "glass";
   EXPECT_EQ(MaterialOf("Kd .1 .2 .3\nTr .5\nillum 1\n").kt, (R2::Color{0.5, 0.5, 0.5}));
-  const Folder folder;
-  folder.Write("a.obj", "mtllib a.mtl\n" + one_face);
-  folder.Write("a.mtl", "newmtl a\nTr 1\n");
-  EXPECT_EQ(WarningsOf(folder, "a.obj"),
-            std::vector<std::string>{
-                "a.mtl:1:8: warning: Tr 1 counts as opaque: illum 0 to 3, 5 and 8 have no transparency"});
-  folder.Write("a.mtl", "newmtl a\nd 0\n");
-  EXPECT_EQ(WarningsOf(folder, "a.obj"),
-            std::vector<std::string>{"a.mtl:1:8: warning: material 'a' is invisible: its opacity is 0"});
-  folder.Write("a.mtl", "newmtl a\nd 0\nKs 1 1 1\nNs 200\n");
-  EXPECT_TRUE(WarningsOf(folder, "a.obj").empty()) << "its highlights are seen";
 }
 
-TEST(Models, WithoutAMapsFileOrAMaterialsNameAreReadWithAWarning) {
+TEST(Models, WithoutAMapsFileOrAMaterialsNameAreRead) {
   const Folder folder;
   folder.Write("a.mtl",
                "newmtl\nKd .9 .8 .7\nnewmtl a\nKd .1 .2 .3\nmap_Kd\nmap_Bump -bm 2\nnorm # none\nmap_Kd -s 1 1\n");
   folder.Write("a.obj", "mtllib a.mtl\n" + triangle + "usemtl\nf 1 2 3\nusemtl a\nf 1 3 2\n");
-  EXPECT_EQ(WarningsOf(folder, "a.obj"),
-            (std::vector<std::string>{
-                "a.mtl:1:1: warning: the material has no name; 'usemtl' without a name uses it",
-                "a.mtl:5:1: warning: 'map_Kd' names no file and is ignored, 2 times, the first of them here",
-                "a.mtl:6:1: warning: 'map_Bump' names no file and is ignored",
-                "a.mtl:7:1: warning: 'norm' names no file and is ignored"}));
   const auto materials = MaterialsOf(folder, "a.obj");
   ASSERT_EQ(materials.size(), 2u);
   EXPECT_EQ(materials[0].kd, (R2::Color{0.9, 0.8, 0.7}));
   EXPECT_EQ(materials[1].kd, (R2::Color{0.1, 0.2, 0.3}));
-  folder.Write("b.obj", triangle + "usemtl\nf 1 2 3\n");
-  EXPECT_TRUE(WarningsOf(folder, "b.obj").empty()) << "no name is no unknown name";
 }
 
 TEST(Models, LibrariesAreFoundAsExportersNameThem) {
@@ -398,11 +321,6 @@ TEST(Models, LibrariesAreFoundAsExportersNameThem) {
         "x.mtl # from the catalogue", "parts\\x.mtl\t# 7", "my x.mtl # x", "y.mtl .\\x.mtl # both", "x.mtl x.mtl"})
     finds("mtllib " + std::string(name) + "\n");
   finds("mtllib x.mtl\nmtllib x.mtl\nmtllib .\\x.mtl\nmtllib ./x.mtl\n");
-  folder.Write("a.obj", "mtllib none.mtl\nmtllib none.mtl\n" + one_face);
-  EXPECT_EQ(WarningsOf(folder, "a.obj").size(), 1u);
-  folder.Write("z.mtl", red);
-  folder.Write("a.obj", "mtllib x.mtl\nmtllib z.mtl\n" + one_face);
-  EXPECT_EQ(WarningsOf(folder, "a.obj").size(), 1u) << "another library is another definition";
 }
 
 TEST(Models, OptionsOfATextureMayStandBehindItsName) {
@@ -442,14 +360,6 @@ TEST(Models, ManyUnknownMaterialsAreSuggestedForTheFirstFewOnly) {
   EXPECT_EQ(std::ranges::count_if(warnings, suggests), 10);
 }
 
-using Colors = std::vector<std::array<float, 3>>;
-
-/// Returns the vertex colors of a single mesh.
-Colors ColorsOf(const Folder& folder, const std::string& name) {
-  const Scene scene = Parse(folder / name, {}).scene;
-  return dynamic_cast<const R3::Mesh&>(*scene.root.children.at(0).shape).Data().colors;
-}
-
 TEST(Models, OnlyColorsWellAboveOneAreBytes) {
   const Folder folder;
   const auto first_of = [&](const std::string& color) {
@@ -457,14 +367,10 @@ TEST(Models, OnlyColorsWellAboveOneAreBytes) {
     return ColorsOf(folder, "a.obj").at(0);
   };
   EXPECT_EQ(first_of("1.000001 .5 .25"), (std::array{1.f, 0.5f, 0.25f})) << "rounded";
-  EXPECT_TRUE(WarningsOf(folder, "a.obj").empty());
   EXPECT_EQ(first_of("1.5 .5 .25"), (std::array{1.f, 0.5f, 0.25f})) << "overexposed";
-  EXPECT_EQ(WarningsOf(folder, "a.obj"),
-            std::vector<std::string>{"a.obj: warning: colors of vertices go up to 1.5; above 1 they count as 1"});
   EXPECT_EQ(first_of("51 102.5 255"), (std::array{0.2f, 102.5f / 255, 1.f}));
   EXPECT_EQ(first_of("51 0 2"), (std::array{0.2f, 0.f, 2 / 255.f}));
   EXPECT_EQ(first_of("2 1 0"), (std::array{2 / 255.f, 1 / 255.f, 0.f})) << "whole numbers above 1 are dark bytes";
-  EXPECT_TRUE(WarningsOf(folder, "a.obj").empty());
   folder.Write("a.ply",
                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
                "property float r\nproperty float g\nproperty float b\nelement face 1\n"
@@ -513,8 +419,6 @@ TEST(Models, OfPlyWithColorsOfVerticesIgnoreThoseOfFaces) {
   const std::string places = "0 0 0 0 255 0\n1 0 0 0 255 0\n0 1 0 0 255 0\n1 1 0 0 255 0\n";
   folder.Write("a.ply", PlyWithFaces("property uchar r\nproperty uchar g\nproperty uchar b\n", "",
                                      places + "3 0 1 2 255 0 0\n"));
-  EXPECT_EQ(WarningsOf(folder, "a.ply"),
-            std::vector<std::string>{"a.ply: warning: the colors of faces are ignored; those of vertices are used"});
   EXPECT_EQ(ColorsOf(folder, "a.ply"), Colors(4, {0, 1, 0}));
 }
 

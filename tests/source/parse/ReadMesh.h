@@ -22,15 +22,4 @@ inline ReadMesh MeshOfBytes(const std::string& name, std::string bytes) {
   return read;
 }
 
-/// Returns position, reason and hint of the error of reading it; "(none)" if there is none.
-inline std::string MeshErrorOf(const std::string& name, std::string bytes) {
-  try {
-    MeshOfBytes(name, std::move(bytes));
-    return "(none)";
-  } catch (const SceneError& error) {
-    return Place(error.file, error.line, error.column) + ": " + error.message +
-           (error.hint.empty() ? "" : "; " + error.hint);
-  }
-}
-
 }  // namespace ray

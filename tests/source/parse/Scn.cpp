@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
-#include <limits>
 
 #include "R3/Mesh.h"
 #include "R3/ShapeKind.h"
@@ -40,9 +38,6 @@ TEST(Extremes, F3_Trap2_AnIndexOfZeroMeansOneAndExtremesStay) {
   EXPECT_EQ(index("0"), 1);
   EXPECT_EQ(index("1e-6"), 1e-6);
   EXPECT_EQ(index("1e6"), 1e6);
-  for (const char* wrong : {"-1", "nan", "inf"})
-    EXPECT_TRUE(Contains(ReportOf("material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  10 " + std::string(wrong) + " 0"),
-                         "error: ir must"));
 }
 
 TEST(Scn, AMirrorHasItsOwnWeight) {
@@ -52,13 +47,9 @@ TEST(Scn, AMirrorHasItsOwnWeight) {
   EXPECT_EQ(m.kr, (R2::Color{0.1, 0.2, 0.3}));
 }
 
-TEST(Scn, AConflictingLaterPriorityWinsWithAWarning) {
+TEST(Scn, AConflictingLaterPriorityWins) {
   const std::string material = "material 0 0 0  0 0 0  0 0 0  1 1 1  0 0 0  10 1.5 0\n";
-  const ParsedScene parsed = ParseText(material + "priority 0 1\npriority 0 2");
-  EXPECT_EQ(parsed.scene.materials.at(1).priority, 2);
-  ASSERT_EQ(parsed.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(parsed.warnings[0], "scene.scn:3:1: warning: the material already has the priority 1"));
-  EXPECT_TRUE(ParseText(material + "priority 0 1 priority 0 1").warnings.empty());
+  EXPECT_EQ(ParseText(material + "priority 0 1\npriority 0 2").scene.materials.at(1).priority, 2);
 }
 
 TEST(Scn, ViewAndCameraMayComeInAnyOrder) {
@@ -100,13 +91,11 @@ TEST(Scn, SrgbIsSetBeforeTheFirstImage) {
   const std::string ball = "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 10 1 half.ppm\nsphere 0 0 0 0 1\n";
   folder.Write("linear.scn", "set srgb\n" + ball);
   folder.Write("off.scn", "set srgb off\n" + ball);
-  folder.Write("late.scn", ball + "set srgb\n");
   const auto red = [&](const char* name) {
     return Parse(folder / name, {}).scene.materials.at(1).texture->image.At(0, 0).r;
   };
   EXPECT_NEAR(red("linear.scn"), 0.5029, 1e-4);  // IEC 61966-2-1
   EXPECT_NEAR(red("off.scn"), 188 / 255.0, 1e-7);
-  EXPECT_TRUE(Contains(ReportOf(folder, "late.scn"), "'set srgb' must come before the first image"));
 }
 
 TEST(Scn, ASpecularMapIsDecodedAsATextureIs) {
@@ -118,21 +107,13 @@ TEST(Scn, ASpecularMapIsDecodedAsATextureIs) {
     ASSERT_TRUE(m.specular_map);
     EXPECT_EQ(m.specular_map, m.texture) << "read once";
   }
-  EXPECT_TRUE(Contains(ReportOf("specular_map 0 half.ppm"), "no material 0"));
 }
 
-TEST(Scn, QuotedNamesMayContainBlanksAndAreChecked) {
+TEST(Scn, QuotedNamesMayContainBlanks) {
   const Folder folder;
   folder.Write("my \"wood\" #1.ppm", "P3 1 1 255 255 0 0 ");
   folder.Write("in.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 10 1 \"my \\\"wood\\\" #1.ppm\"\nsphere 0 0 0 0 1\n");
   EXPECT_TRUE(Parse(folder / "in.scn", {}).scene.materials.at(1).texture);
-  EXPECT_TRUE(Contains(ReportOf("mesh -1 \"a b"), "scene.scn:1:9: error: the closing quote is missing"));
-  EXPECT_TRUE(Contains(ReportOf("mesh -1 \"a\\q\""), "a backslash in quotes must be followed by"));
-  EXPECT_TRUE(Contains(ReportOf("mesh -1 \"\""), "between the quotes is empty"));
-  folder.Write("my wood.png", "");
-  folder.Write("scene.scn", "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 \"my wod.png\"");
-  EXPECT_TRUE(Contains(ReportOf(folder, "scene.scn"), "did you mean \"my wood.png\"?")) << "as it is typed";
-  EXPECT_TRUE(Contains(ReportOf("include \"no such.scn\""), "no such file: 'no such.scn'"));
 }
 
 TEST(Scn, ATextureScaleHasTwoNumbers) {
@@ -280,12 +261,10 @@ TEST(Scn, CommentsMayStandBetweenAnyTwoWords) {
   EXPECT_EQ(scene.root.children.size(), 1u);
 }
 
-TEST(Scn, CommentsMayTouchCommandsAndNumbersButNotNames) {
+TEST(Scn, CommentsMayTouchCommandsAndNumbers) {
   const Scene scene = ParseText("begin -1" + identity + "sphere#a ball\n -1 0 0 0 1#unit\nend#close sphere\n").scene;
   ASSERT_EQ(scene.root.children.size(), 1u);
   EXPECT_EQ(scene.root.children[0].children.size(), 1u);
-  EXPECT_TRUE(Contains(ReportOf("mesh -1 a#b.off"), "a#b.off"));
-  EXPECT_TRUE(Contains(ReportOf("spere#a -1 0 0 0 1"), "unknown command 'spere#a'")) << ReportOf("spere#a -1 0 0 0 1");
 }
 
 TEST(Scn, ANodeKnowsWhereItStands) {
@@ -312,7 +291,6 @@ TEST(Scn, AMeshUsedTwiceIsOneMesh) {
 TEST(Scn, TheWordSmoothAfterAMeshSelectsItsNormals) {
   const Folder folder;
   folder.Write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 1\nf 1//1 2//1 3//1\n");
-  folder.Write("t.off", triangle_off);
   const Scene scene = Parse(folder.Write("a.scn", "mesh -1 t.obj smooth mesh -1 t.obj"), {}).scene;
   const auto normal = [&](std::size_t i) {
     const R3::Ray ray{{0.25, 0.25, 1}, {0, 0, -1}};
@@ -322,9 +300,6 @@ TEST(Scn, TheWordSmoothAfterAMeshSelectsItsNormals) {
   };
   EXPECT_NEAR(normal(0).x, std::sqrt(0.5), 1e-15);
   EXPECT_EQ(normal(1), (R3::Normal{0, 0, 1}));
-  const ParsedScene flat = Parse(folder.Write("b.scn", "mesh -1 t.off smooth"), {});
-  ASSERT_EQ(flat.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(flat.warnings[0], "'smooth' has no effect"));
 }
 
 TEST(Scn, TexturesAreReadOnceAndDecodedInLinearWorkflows) {
@@ -340,32 +315,6 @@ TEST(Scn, TexturesAreReadOnceAndDecodedInLinearWorkflows) {
   options.decode_srgb = true;
   const Scene linear = Parse(folder / "scene.scn", options).scene;
   EXPECT_NEAR(linear.materials.at(1).texture->image.At(0, 0).r, R2::DecodeSrgb(128 / 255.0), 1e-7);
-}
-
-// Such light was once accepted silently, while an environment with it was rejected.
-TEST(Scn, ATextureWithInvalidColorsIsRefused) {
-  const Folder folder;
-  const auto refusal = [&](const std::string& use, float value) {
-    std::string pixel(3 * sizeof value, '\0');
-    for (std::size_t i = 0; i < 3; ++i) std::memcpy(pixel.data() + i * sizeof value, &value, sizeof value);
-    folder.Write("t.pfm", "PF\n1 1\n-1.0\n" + pixel);
-    folder.Write("scene.scn", use);
-    try {
-      Parse(folder / "scene.scn", {});
-    } catch (const SceneErrors& errors) {
-      return errors.All().at(0).message;
-    }
-    return std::string("none");
-  };
-  const std::string material = "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 ";
-  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
-  for (const float bad : {nan, infinity, -infinity, -1.0f})
-    EXPECT_TRUE(Contains(refusal(material + "t.pfm", bad), "values must be finite and not negative, but pixel 0 0"))
-        << bad;
-  EXPECT_EQ(refusal(material + "t.pfm", 2), "none");
-  const std::string bump = material + "0\nbump 0 t.pfm 1";
-  EXPECT_TRUE(Contains(refusal(bump, nan), "values must be finite, but pixel 0 0"));
-  EXPECT_EQ(refusal(bump, -1), "none") << "a height may be below zero";
 }
 
 TEST(Scn, QuadsAndPolygonsFaceWhereTheirCornersTurnLeft) {
@@ -391,22 +340,6 @@ TEST(Scn, QuadsAndPolygonsFaceWhereTheirCornersTurnLeft) {
   EXPECT_TRUE(is_hit(0.25, 0.01));
   EXPECT_TRUE(is_hit(1.5, 0.7));
   EXPECT_FALSE(is_hit(1, 0.01));
-}
-
-TEST(Scn, DegenerateShapesAreKeptWithAWarning) {
-  const ParsedScene parsed = ParseText("sphere -1 1 2 3 0\ncone -1 0 0 0 1 0\ntri -1 0 0 0 1 1 1 2 2 2\n");
-  EXPECT_EQ(parsed.scene.root.children.size(), 3u);
-  ASSERT_EQ(parsed.warnings.size(), 3u);
-  EXPECT_TRUE(Contains(parsed.warnings[0], "scene.scn:1:1: warning: degenerate sphere: no ray can hit it"));
-  EXPECT_TRUE(Contains(parsed.warnings[2], ":3:1: warning: degenerate tri"));
-}
-
-TEST(Scn, ThousandsOfWarningsAreCounted) {
-  std::string scene;
-  for (int i = 0; i < 5000; ++i) scene += "sphere -1 0 0 0 0\n";
-  const auto warnings = ParseText(scene).warnings;
-  ASSERT_EQ(warnings.size(), 101u);
-  EXPECT_EQ(warnings.back(), "and 4900 more warnings");
 }
 
 TEST(Scn, EnergyAboveOneIsAccepted) {

@@ -19,43 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-TEST(Extremes, K11_OutputNamesThatAreNoFilesAreRefused) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place;
-  fs::create_directory(place / "folder.ppm");
-  fs::create_symlink("/dev/full", place / "full.ppm");
-  const std::pair<std::string, int> cases[] = {
-      {place.Path().string(), 4}, {place / "folder.ppm", 4}, {"", 2},
-      {"/dev/full", 4},           {place / "full.ppm", 4},   {place.Scene(), 4}};
-  for (const auto& [name, status] : cases) {
-    const Finished done = RunProgram({place.Scene(), name});
-    EXPECT_EQ(done.status, status) << name << ": " << done.error;
-    EXPECT_NE(done.error, "") << name;
-  }
-  EXPECT_EQ(ReadFile(place.Scene()), small_scene);
-}
-
-TEST(Extremes, K11_ALinkIsFollowedButNotSilently) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place;
-  fs::create_directory(place / "there");
-  fs::create_symlink("there/real.ppm", place / "link.ppm");
-  const Finished done = RunProgram({place.Scene(), place / "link.ppm", "-width", "8", "-height", "8"});
-  EXPECT_EQ(done.status, 0);
-  EXPECT_TRUE(Has(done.error, "is a link; the image goes to '" + place / "there/real.ppm" + "'")) << done.error;
-  EXPECT_TRUE(fs::is_symlink(place / "link.ppm"));
-  EXPECT_EQ(Decode(place / "there/real.ppm").image.Width(), 8);
-}
-
-TEST(Extremes, K11_AFileThatTheSceneIncludesIsAnInputToo) {
-  NEEDS_THE_PROGRAM();
-  const SceneFolder place("include part.ppm\n");
-  WriteFile(place / "part.ppm", small_scene);
-  const Finished done = RunProgram({place.Scene(), place / "part.ppm"});
-  EXPECT_EQ(done.status, 4) << done.error;
-  EXPECT_EQ(ReadFile(place / "part.ppm"), small_scene);
-}
-
 /// Whether a new file is being written beside the target.
 bool IsSaving(const TemporaryFolder& folder, const std::vector<std::string>& old) {
   std::error_code error;

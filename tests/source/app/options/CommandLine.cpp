@@ -233,37 +233,10 @@ TEST(Extremes, F7_MinLuminanceIsAnyNumberFromZeroOn) {
   EXPECT_NE(ErrorBeside({"-min_luminance", "nan"}), "");
 }
 
-TEST(Extremes, G4_SizesOutsideTheLimitsAreRefused) {
-  for (const char* word : {"0", "-1", "2147483648", "1099511627776"}) {
-    EXPECT_TRUE(Has(ErrorBeside({"-width", word}), "-width must be a whole number, 1 to 1073741824 pixels")) << word;
-    EXPECT_TRUE(Has(ErrorBeside({"-height", word}), "-height must be")) << word;
-  }
-  EXPECT_EQ(ErrorBeside({"-width", "16384", "-height", "16385"}),
-            "-width 16384 and -height 16385 make 268451840 pixels; at most 268435456 are allowed");
-  EXPECT_EQ(ErrorBeside({"-width", "16384", "-height", "16384"}), "");
-}
-
 TEST(Extremes, G5_SamplesAreAtLeastOneAndFitAnInteger) {
   EXPECT_NE(ErrorBeside({"-samples", "0"}), "");
   EXPECT_NE(ErrorBeside({"-samples", "2147483648"}), "");
   EXPECT_EQ(Parsed({"a", "b", "-samples", "2147483647"}).render.samples, 2147483647);
-}
-
-TEST(Extremes, G6_ACropIsInsideTheImageAndNotEmpty) {
-  const std::string rule = "whole numbers with x0 < x1 and y0 < y1, inside the image of 256 x 256";
-  EXPECT_EQ(ErrorBeside({"-crop", "-1", "0", "4", "4"}), "-crop -1 0 4 4: it must be " + rule);
-  for (const char* outside : {"0 0 257 1", "0 0 1 257", "0 -1 1 1", "4 4 4 8", "4 4 8 4", "8 8 4 4"}) {
-    Words words = Split(outside);
-    words.insert(words.begin(), "-crop");
-    EXPECT_TRUE(Has(ErrorBeside(words), rule)) << outside;
-  }
-  EXPECT_EQ(ErrorBeside({"-crop", "0", "0", "256", "256"}), "");
-  EXPECT_EQ(ErrorBeside({"-crop", "255", "255", "256", "256"}), "");
-}
-
-TEST(Extremes, G10_ThreadsAreZeroOrMore) {
-  for (const char* word : {"0", "1", "3", "1000"}) EXPECT_EQ(ErrorBeside({"-threads", word}), "") << word;
-  EXPECT_NE(ErrorBeside({"-threads", "-1"}), "");
 }
 
 TEST(CommandLine, ARepeatedOptionTakesItsLastValue) {
@@ -348,12 +321,6 @@ TEST(CommandLine, AnyArgumentsParseOrGiveAUsageError) {
       EXPECT_STRNE(error.what(), "");
     }
   }
-}
-
-TEST(Extremes, K8_ControlCharactersInWordsArePrintedEscaped) {
-  const std::string error = ErrorBeside({"-width", "\033[2Jx"});
-  EXPECT_FALSE(Has(error, "\033")) << error;
-  EXPECT_FALSE(Has(ErrorBeside({"-\033[2J"}), "\033"));
 }
 
 TEST(CommandLine, AnOptionOfTheOtherProgramIsReportedAsOne) {

@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
-#include "source/parse/SceneError.h"
-#include "tests/Folder.h"
 
 namespace ray {
 namespace {
@@ -19,10 +16,6 @@ Scene With(std::vector<SceneSetting> settings) {
 RenderOptions Typed(std::vector<std::string> words) {
   words.insert(words.begin(), {"in.scn", "out.png"});
   return ReadCommandLine(Program::raypro, words);
-}
-
-std::string RefusalOf(const SceneSetting& setting) {
-  return project::MessageOf<SceneErrors>([&] { WithSettingsOf(With({setting}), Typed({})); });
 }
 
 TEST(SceneSettings, ApplyUnlessTheCommandLineSetsThem) {
@@ -78,79 +71,6 @@ TEST(SceneSettings, TheLastOfAnOptionCounts) {
 TEST(SceneSettings, OfAFlagTheLastCountsToo) {
   const Scene scene = With({{"fresnel", "on", "a.scn:1:5"}, {"fresnel", "off", "a.scn:2:5"}});
   EXPECT_FALSE(WithSettingsOf(scene, Typed({})).render.trace.fresnel);
-}
-
-TEST(SceneSettings, ThatAreNotAllowedAreRefusedAtTheirPlace) {
-  EXPECT_EQ(RefusalOf({"max_dept", "2", "a.scn:1:5"}),
-            "a.scn:1:5: error: a scene cannot set 'max_dept'; did you mean 'max_depth'?");
-  for (const char* name : {"report", "threads", "allow_path", "time", "quality", "help", ""})
-    EXPECT_TRUE(RefusalOf({name, "2", "a.scn:1:5"}).starts_with("a.scn:1:5: error: a scene cannot set")) << name;
-}
-
-TEST(SceneSettings, ValuesOutOfRangeAreRefusedAtTheirPlace) {
-  EXPECT_EQ(RefusalOf({"max_depth", "-2", "a.scn:1:5"}),
-            "a.scn:1:5: error: -max_depth must be a whole number, 0 to 9223372036854775807 bounces, "
-            "got '-2'");
-  EXPECT_EQ(RefusalOf({"motion", "1 2", "a.scn:1:5"}), "a.scn:1:5: error: usage: -motion dx dy dz");
-}
-
-TEST(SceneSettings, MayNotExceedThePixelLimit) {
-  const Scene scene = With({{"width", "1000000", "a.scn:1:5"}, {"height", "1000000", "a.scn:2:5"}});
-  EXPECT_THROW(WithSettingsOf(scene, Typed({})), std::exception);
-}
-
-TEST(SceneSettings, OfAFlagTheValueIsOnOrOff) {
-  for (const char* value : {"true", "1", "yes"})
-    EXPECT_EQ(RefusalOf({"fresnel", value, "a.scn:1:5"}),
-              "a.scn:1:5: error: -fresnel must be on or off, got '" + std::string(value) + "'");
-}
-
-// Regression: a mistake in a scene was reported without its file and line, as if it had been typed.
-TEST(SceneSettings, ThatContradictEachOtherAreReportedAtTheirPlace) {
-  const auto refusal = [](const std::vector<SceneSetting>& settings) {
-    try {
-      WithSettingsOf(With(settings), Typed({}));
-    } catch (const SceneErrors& error) {
-      return std::string(error.what());
-    }
-    return std::string("none");
-  };
-  EXPECT_EQ(refusal({{"aperture", "1", "a.scn:1:5"}}), "a.scn:1:5: error: -aperture needs -focus, the focus distance");
-  EXPECT_EQ(refusal({{"max_depth", "2", "a.scn:1:5"}, {"sampler", "grid", "a.scn:2:5"}, {"samples", "5", "a.scn:3:5"}}),
-            "a.scn:2:5: error: -samples 5: -sampler grid needs a square number, such as 4 or 9");
-}
-
-TEST(SceneSettings, ThatContradictWhatWasTypedAreNamedWithTheirPlace) {
-  const auto refusal = [](const std::vector<SceneSetting>& settings, const std::vector<std::string>& words) {
-    try {
-      WithSettingsOf(With(settings), Typed(words));
-    } catch (const UsageError& error) {
-      return std::string(error.what());
-    }
-    return std::string("none");
-  };
-  EXPECT_EQ(refusal({{"samples", "5", "a.scn:3:5"}}, {"-sampler", "grid"}),
-            "-samples 5: -sampler grid needs a square number, such as 4 or 9; -samples is set by a.scn:3:5");
-  EXPECT_EQ(refusal({{"lens", "spiral", "a.scn:3:5"}}, {"-aperture", "1"}),
-            "-aperture needs -focus, the focus distance");
-}
-
-TEST(SceneSettings, ALayerOfFlareNeedsAFlare) {
-  const auto refusal = [](const std::vector<SceneSetting>& settings, std::vector<std::string> words) {
-    words.insert(words.end(), {"-layers", "depth,flare"});
-    try {
-      WithSettingsOf(With(settings), Typed(std::move(words)));
-    } catch (const UsageError& error) {
-      return std::string(error.what());
-    }
-    return std::string("none");
-  };
-  EXPECT_EQ(refusal({}, {}), "-layers flare needs -flare above 0");
-  EXPECT_EQ(refusal({}, {"-flare", "1", "-mode", "normal"}),
-            "-layers flare has no effect with -mode normal, which has no lens flares");
-  EXPECT_EQ(refusal({}, {"-flare", "1"}), "none");
-  EXPECT_EQ(refusal({{"flare", "1", "a.scn:1:5"}}, {"-mode", "path"}), "none");
-  EXPECT_EQ(refusal({{"flare", "1", "a.scn:1:5"}}, {"-flare", "0"}), "-layers flare needs -flare above 0");
 }
 
 }  // namespace

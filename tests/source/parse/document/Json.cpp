@@ -61,34 +61,6 @@ TEST(JsonDocument, AMillionLevelsAreRefusedAtOnce) {
   }
 }
 
-TEST(JsonDocument, AMistakeIsShownAtItsPosition) {
-  EXPECT_EQ(Json("[1,\n 2,,3]").message,
-            "a.json:2:4: error: unexpected ','; expected '[', '{', or a literal\n"
-            "    2 |  2,,3]\n"
-            "      |    ^");
-  EXPECT_TRUE(Contains(Json("{\"a\": 1,}").message, "a.json:1:9: error: unexpected '}'; expected string literal"));
-  EXPECT_TRUE(Contains(Json("{\"a\": 1,}").message, "there is an extra comma before it"));
-  EXPECT_TRUE(Contains(Json("{\"a\" 1}").message, "a.json:1:6: error: unexpected number literal; expected ':'"));
-  EXPECT_TRUE(Contains(Json("[1, # x\n]").message, "JSON has no comments"));
-  EXPECT_TRUE(Contains(Json("['a']").message, "JSON takes double quotes only"));
-  EXPECT_TRUE(Contains(Json("[1, 2\n\n").message, "a.json:1:6: error: the file ends too early"));
-  EXPECT_TRUE(Contains(Json("").message, "a.json:1:1: error: the file ends too early"));
-  EXPECT_TRUE(Contains(Json("{} {}").message, "a.json:1:4: error: unexpected '{'; expected end of input"));
-  EXPECT_TRUE(Contains(Json("[\"a\xFF\"]").message, "a.json:1:4: error: invalid string: ill-formed UTF-8 byte"));
-}
-
-TEST(JsonDocument, CharactersThatAreNotTextAreRefused) {
-  EXPECT_TRUE(Contains(Json(std::string("[1,\0 2]", 7)).message, "a.json:1:4: error: control character \\x00"));
-  EXPECT_TRUE(Contains(Json("\xFF\xFE[").message, "a.json: error: the file is UTF-16; save it as UTF-8"));
-}
-
-TEST(JsonDocument, ANumberBeyondDoublesIsRefused) {
-  EXPECT_EQ(Json("{\"a\": [1, -1e999]}").message,
-            "a.json:1:11: error: a number must fit a double, whose largest is 1.8e308\n"
-            "    1 | {\"a\": [1, -1e999]}\n"
-            "      |           ^~~~~~");
-}
-
 TEST(JsonDocument, EveryDuplicateKeyIsReported) {
   const Read read = Json("{\"a\": 1,\n \"b\": {\"c\": 1, \"c\": 2},\n \"a\": 3}");
   EXPECT_EQ(Written(read.Root()), "{b:{c:2} a:3}");

@@ -129,19 +129,6 @@ TEST(SmoothNormals, GivenInTheFileWinOverSmoothingGroups) {
   EXPECT_GT(of_group, 0);
 }
 
-TEST(SmoothNormals, TheAngleIsOneInDegrees) {
-  for (const char* wrong : {"0", "-30", "181", "nan", "1.#INF"}) {
-    const Folder folder;
-    folder.Write("a.off", "OFF 3 1 0 0 0 0 1 0 0 0 1 0\n3 0 1 2\n");
-    folder.Write("scene.scn", std::string("mesh -1 a.off smooth ") + wrong + "\n");
-    EXPECT_TRUE(Contains(ReportOf(folder, "scene.scn"),
-                         "scene.scn:1:22: error: smooth must be followed by degrees above 0, "
-                         "up to 180, got '" +
-                             std::string(wrong) + "'"))
-        << wrong;
-  }
-}
-
 // All pairs of them would take minutes.
 TEST(SmoothNormals, AreFastWhereManyTrianglesMeet) {
   R3::MeshData fan;

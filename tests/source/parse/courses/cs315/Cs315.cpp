@@ -210,13 +210,6 @@ TEST(Cs315, OurOwnShapesAreInLowerCase) {
   EXPECT_NEAR(*Depth(blob, {{0, 0, 9}, {0, 0, -1}}), 9 - 3 * std::sqrt(0.5), 1e-9);
 }
 
-TEST(Cs315, UnknownKeysWarnWhileNamesAreIgnoredSilently) {
-  const ParsedScene parsed =
-      Cs315("'materials': [{'name': 'a', 'kq': 1}, {'kq': 1}], 'include': 'x.json', 'surfaces': []");
-  ASSERT_EQ(parsed.warnings.size(), 1u);
-  EXPECT_TRUE(Contains(parsed.warnings[0], "unknown key 'kq' in a material is ignored"));
-}
-
 TEST(JsonScenes, AreDistinguishedByTheirTopLevelKeys) {
   const Folder folder;
   EXPECT_EQ(Parse(folder.Write("a.json", "{\"Eye\": [0, 0, 9], \"Objects\": []}"), {}).scene.settings.front().origin,
