@@ -1,5 +1,4 @@
 #include <initializer_list>
-#include <limits>
 
 #include "R1/Elementary.h"
 

@@ -8,7 +8,6 @@
 #include "R1/Kinds.h"
 
 namespace R2 {
-
 namespace {
 
 /// Converts ASCII letters only, so that the locale does not affect file formats.

@@ -18,6 +18,10 @@ struct Plane {
 };
 
 /// Returns the mean; zero for a plane without pixels.
-double Mean(const Plane& plane);
+inline double Mean(const Plane& plane) {
+  double sum = 0;
+  for (const float value : plane.values) sum += value;
+  return plane.values.empty() ? 0 : sum / static_cast<double>(plane.values.size());
+}
 
 }  // namespace R2

@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace R2 {
-
 namespace {
 
 // More light than any screen can distinguish from its limit. Beyond it, quotients of infinities would be NaN.

@@ -15,9 +15,9 @@ struct Box {
 
   bool IsEmpty() const { return !(low.x <= high.x && low.y <= high.y && low.z <= high.z); }
   Vector Size() const { return high - low; }
-  Point Center() const;
+  Point Center() const { return {low.x / 2 + high.x / 2, low.y / 2 + high.y / 2, low.z / 2 + high.z / 2}; }
   /// Half the diagonal; 0 when empty.
-  double Radius() const;
+  double Radius() const { return IsEmpty() ? 0 : Length(Size()) / 2; }
   Point Corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
   bool Contains(const Point& p) const {
     return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z && p.z <= high.z;
@@ -58,7 +58,11 @@ inline Box Common(const Box& a, const Box& b) {
 
 /// A ray prepared for many box tests.
 struct BoxRay {
-  explicit BoxRay(const Ray& ray);
+  explicit BoxRay(const Ray& ray)
+      : origin(ray.origin),
+        inverse{1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z},
+        t_min(ray.t_min),
+        t_max(ray.t_max) {}
 
   Point origin;
   Vector inverse;  // 1 / direction; infinite, with its sign, for components +-0

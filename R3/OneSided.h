@@ -10,7 +10,14 @@ class OneSided : public Shape {
  public:
   explicit OneSided(const Shape& shape) : shape_(shape) {}
 
-  std::optional<Hit> Intersect(const Ray& ray, int element) const override;
+  std::optional<Hit> Intersect(const Ray& ray, int element) const override {
+    Ray rest = ray;
+    while (true) {
+      const auto hit = shape_.Intersect(rest, element);
+      if (!hit || Dot(shape_.At(ray, *hit, element).normal, ray.direction) < 0) return hit;
+      rest.t_min = hit->t;
+    }
+  }
 
   int Elements() const override { return shape_.Elements(); }
   Box Bounds(int element) const override { return shape_.Bounds(element); }

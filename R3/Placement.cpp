@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "R1/Elementary.h"
 #include "R3/LeastAxis.h"

@@ -1,7 +1,6 @@
 #include "R3/Shape.h"
 
-#include "R3/TessellateByRays.h"
-#include "R3/UvTangentsByRays.h"
+#include "R3/ByRays.h"
 
 namespace R3 {
 

@@ -9,7 +9,7 @@
 
 #include "source/app/PreparedScene.h"
 #include "source/app/Status.h"
-#include "source/app/manual/Listing.h"
+#include "source/app/manual/Manual.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/report/Check.h"
 #include "source/film/Film.h"

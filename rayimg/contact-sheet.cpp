@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "source/app/Status.h"
-#include "source/app/manual/Help.h"
+#include "source/app/manual/Manual.h"
 #include "source/app/report/Messages.h"
 #include "source/film/Resize.h"
 #include "source/parse/SceneError.h"

@@ -6,7 +6,7 @@
 #include "R2/Ramp.h"
 #include "source/app/Status.h"
 #include "source/app/files/OutputFile.h"
-#include "source/app/manual/Help.h"
+#include "source/app/manual/Manual.h"
 #include "source/app/report/Messages.h"
 #include "rayimg/Commands.h"
 #include "rayimg/Findings.h"

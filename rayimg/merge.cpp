@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "source/app/Status.h"
-#include "source/app/manual/Help.h"
+#include "source/app/manual/Manual.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"

@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include "source/app/Status.h"
-#include "source/app/manual/Help.h"
+#include "source/app/manual/Manual.h"
 #include "rayimg/Commands.h"
 #include "rayimg/Images.h"
 #include "rayimg/Layers.h"

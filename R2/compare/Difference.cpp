@@ -8,7 +8,6 @@
 #include "R1/Elementary.h"
 
 namespace R2 {
-
 namespace {
 
 using Channels = std::array<double, 3>;

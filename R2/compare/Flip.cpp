@@ -11,7 +11,6 @@
 #include "R2/Color.h"
 
 namespace R2 {
-
 namespace {
 
 // --- color spaces ---

@@ -6,7 +6,6 @@
 #include "R2/image_files/formats.h"
 
 namespace R2::bmp {
-
 namespace {
 
 constexpr std::uint32_t core_header_size = 12, least_os2_size = 16, info_header_size = 40, os2_header_size = 64;

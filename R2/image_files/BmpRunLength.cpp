@@ -5,7 +5,6 @@
 #include "R2/image_files/ByteReader.h"
 
 namespace R2::bmp {
-
 namespace {
 
 // A move right and up takes four bytes and skips at most 255 rows of pixels, or 255 by 255 if rows are that short.

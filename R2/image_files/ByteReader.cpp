@@ -6,7 +6,6 @@
 #include "R2/ImageFile.h"
 
 namespace R2 {
-
 namespace {
 
 bool IsSpace(unsigned char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }

@@ -12,7 +12,6 @@
 #include "R2/image_files/formats.h"
 
 namespace R2 {
-
 namespace {
 
 // The file's numbers of the compressions that are checked here.

@@ -8,7 +8,6 @@
 #include <utility>
 
 namespace R2 {
-
 namespace {
 
 /// A reader of the numbers of a TIFF file, in the byte order that it states.

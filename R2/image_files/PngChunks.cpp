@@ -3,12 +3,10 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <string>
 
 #include "R2/image_files/ByteReader.h"
 
 namespace R2 {
-
 namespace {
 
 constexpr std::size_t signature_size = 8, name_end = 8;  // a length, then a name

@@ -1,6 +1,5 @@
 // Omits the table of all halves, 256 KiB that would be copied at every program start.
 #define IMATH_HALF_NO_LOOKUP_TABLE
-#include <ImathBox.h>
 #include <ImathVec.h>
 #include <ImfChannelList.h>
 #include <ImfCompression.h>

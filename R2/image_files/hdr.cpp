@@ -2,7 +2,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "R1/Elementary.h"
 #include "R2/image_files/ByteReader.h"

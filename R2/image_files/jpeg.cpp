@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "R2/image_files/ColorProfile.h"
-#include "R2/image_files/CommentSettings.h"
+#include "R2/image_files/TextSettings.h"
 #include "R2/image_files/Jump.h"
 #include "R2/image_files/Orientation.h"
 #include "R2/image_files/formats.h"

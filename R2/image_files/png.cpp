@@ -11,7 +11,7 @@
 #include "R2/image_files/ColorProfile.h"
 #include "R2/image_files/Jump.h"
 #include "R2/image_files/PngChunks.h"
-#include "R2/image_files/PngText.h"
+#include "R2/image_files/TextSettings.h"
 #include "R2/image_files/formats.h"
 
 // PNG through libpng: every color type, depth and interlace mode is read, 8 and 16 bit color is written. Alpha is

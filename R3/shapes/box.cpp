@@ -1,4 +1,3 @@
-#include <utility>
 
 #include "R3/GridMesh.h"
 #include "R3/ShapeKind.h"

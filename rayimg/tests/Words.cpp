@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "source/app/manual/Completion.h"
-#include "source/app/manual/Help.h"
 #include "source/app/manual/Manual.h"
 #include "source/app/options/OptionTable.h"
 #include "rayimg/tests/Rayimg.h"

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 namespace ray {
-
 namespace {
 
 // The glyphs have 7 columns and 13 rows: one above capitals, nine for capitals (six for small letters) down to the

@@ -1,4 +1,4 @@
-#include "source/app/manual/Completion.h"
+#include "source/app/manual/Manual.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "source/app/manual/Help.h"
+#include "source/app/manual/Manual.h"
 
 #include <sstream>
 
@@ -9,7 +9,6 @@
 #include "source/text/Words.h"
 
 namespace ray {
-
 namespace {
 
 /// Returns a cell of a Markdown table with its right border; a bar within the text is escaped.

@@ -1,4 +1,4 @@
-#include "source/app/manual/Listing.h"
+#include "source/app/manual/Manual.h"
 
 #include "R2/ImageFile.h"
 #include "R3/ShapeKind.h"

@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "source/app/files/LayerImages.h"
-#include "source/app/manual/Help.h"
-#include "source/app/manual/SceneManual.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/ReportFields.h"
 

@@ -1,10 +1,9 @@
-#include "source/app/manual/SceneManual.h"
+#include "source/app/manual/Manual.h"
 
 #include <utility>
 
 #include "R2/ImageFile.h"
 #include "R3/ShapeKind.h"
-#include "source/app/manual/Manual.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/scn/Command.h"
 #include "source/scene/Light.h"

@@ -1,7 +1,7 @@
 // Compiled separately, since the Makefile passes the commit on its command line: a new commit recompiles only this.
 #include <string_view>
 
-#include "source/app/manual/Help.h"
+#include "source/app/manual/Manual.h"
 
 #ifndef RAYPRO_COMMIT
 #define RAYPRO_COMMIT ""

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "source/app/Answers.h"
-#include "source/app/manual/Listing.h"
 #include "source/app/manual/Manual.h"
 #include "source/app/options/OptionTable.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "source/app/Status.h"
-#include "source/app/manual/Help.h"
+#include "source/app/manual/Manual.h"
 #include "source/app/options/FileNames.h"
 #include "source/app/options/OptionTable.h"
 #include "source/text/LookAlike.h"

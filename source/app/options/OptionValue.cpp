@@ -7,13 +7,20 @@
 
 #include "source/app/Status.h"
 #include "source/app/options/OptionTable.h"
-#include "source/app/options/Overloaded.h"
 #include "source/text/Number.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
 namespace ray {
 namespace {
+
+/// A set of functions for values of several types, for std::visit.
+template <class... Lambda>
+struct Overloaded : Lambda... {
+  using Lambda::operator()...;
+};
+template <class... Lambda>
+Overloaded(Lambda...) -> Overloaded<Lambda...>;
 
 std::vector<std::string> ToTexts(const std::vector<int>& numbers) {
   std::vector<std::string> texts;

@@ -11,7 +11,6 @@
 //   source   Khronos, EGL 1.5; EGL_EXT_device_enumeration, EGL_EXT_platform_device, EGL_MESA_platform_surfaceless,
 //            EGL_KHR_surfaceless_context, EGL_KHR_no_config_context
 namespace ray {
-
 namespace {
 
 std::string LastError() {

@@ -8,7 +8,6 @@
 
 // Windows through GLFW 3.3.
 namespace ray {
-
 namespace {
 
 std::string LastError() {

@@ -15,7 +15,6 @@
 // Contexts without a window through OSMesa, Mesa's rendering into memory, which ends with Mesa 25.0.
 //   source   Mesa, include/GL/osmesa.h
 namespace ray {
-
 namespace {
 
 /// Loads the library at its first use: if it were linked, it and its compiler would be loaded at every start. It is

@@ -11,7 +11,6 @@
 #include "source/draw/contexts/Context.h"
 
 namespace ray {
-
 namespace {
 
 constexpr const char* vertex_shader = R"(#version 330 core

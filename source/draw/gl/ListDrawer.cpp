@@ -7,7 +7,6 @@
 #include "source/draw/gl/Objects.h"
 
 namespace ray {
-
 namespace {
 
 constexpr const char* vertex_shader = R"(#version 330 core

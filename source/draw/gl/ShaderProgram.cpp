@@ -10,7 +10,6 @@
 #include "source/draw/contexts/Context.h"
 
 namespace ray {
-
 namespace {
 
 /// A shader that is needed only until the program is linked.

@@ -11,7 +11,6 @@
 #include "source/draw/gl/Objects.h"
 
 namespace ray {
-
 namespace {
 
 constexpr const char* edge_vertex_shader = R"(#version 330 core

@@ -1,5 +1,5 @@
 // Completion scripts are run in bash itself, in a folder with files of every kind.
-#include "source/app/manual/Completion.h"
+#include "source/app/manual/Manual.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "source/app/manual/Help.h"
+#include "source/app/manual/Manual.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,6 @@
 #include <cstdio>
 #include <sstream>
 
-#include "source/app/manual/Completion.h"
-#include "source/app/manual/Listing.h"
-#include "source/app/manual/Manual.h"
 #include "source/app/options/OptionTable.h"
 #include "source/parse/Parse.h"
 #include "source/parse/scn/Command.h"

@@ -1,4 +1,4 @@
-#include "source/app/rayview/PanelHabits.h"
+#include "source/app/rayview/Habits.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "source/film/denoise/PositiveGuess.h"
+#include "source/film/denoise/DenoisedError.h"
 
 #include <gtest/gtest.h>
 
