@@ -9,7 +9,7 @@
 #include "source/app/files/Outputs.h"
 #include "source/app/files/PartFiles.h"
 #include "source/app/files/SceneHash.h"
-#include "source/app/options/ImageName.h"
+#include "source/app/options/FileNames.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Progress.h"
 #include "source/app/report/Resources.h"

@@ -19,7 +19,6 @@
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/Comp30019.h"
 #include "source/app/options/FileNames.h"
-#include "source/app/options/ImageName.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Progress.h"
 #include "source/app/report/ReadReplay.h"

@@ -25,4 +25,9 @@ inline PixelRectangle Common(const PixelRectangle& a, const PixelRectangle& b) {
 /// Returns the rectangle, extended by `by` pixels on each side.
 inline PixelRectangle Grown(const PixelRectangle& r, int by) { return {r.x0 - by, r.y0 - by, r.x1 + by, r.y1 + by}; }
 
+/// Returns number i of a sequence of rectangles of at most the given size that are spread evenly over a region, after
+/// any number of them.
+///   source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)
+PixelRectangle SpreadRectangle(const PixelRectangle& region, int width, int height, int i);
+
 }  // namespace ray

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "R1/BatchSize.h"
+#include "R1/Columns.h"
 #include "R2/Color.h"
 #include "R3/Departure.h"
 #include "R3/Ray.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "R1/BatchSize.h"
+#include "R1/Columns.h"
 #include "source/film/Film.h"
 #include "source/integrate/CameraRays.h"
 #include "source/integrate/Integrator.h"

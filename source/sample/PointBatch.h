@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "R1/BatchSize.h"
+#include "R1/Columns.h"
 #include "source/sample/Sampler.h"
 
 namespace ray {

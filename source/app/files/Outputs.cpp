@@ -9,7 +9,7 @@
 
 #include "source/app/Status.h"
 #include "source/app/files/LayerImages.h"
-#include "source/app/options/ImageName.h"
+#include "source/app/options/FileNames.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/ReportJson.h"

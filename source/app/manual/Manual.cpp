@@ -5,7 +5,7 @@
 
 #include "source/app/files/LayerImages.h"
 #include "source/app/options/OptionTable.h"
-#include "source/app/report/ReportFields.h"
+#include "source/app/report/ReportJson.h"
 
 namespace ray {
 

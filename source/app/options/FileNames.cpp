@@ -11,7 +11,6 @@
 
 #include "source/app/Status.h"
 #include "source/app/manual/Manual.h"
-#include "source/app/options/ImageName.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/Info.h"
 #include "source/parse/Format.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "source/app/options/ImageName.h"
+#include "source/app/options/FileNames.h"
 #include "source/app/options/OptionFacts.h"
 #include "source/app/options/RenderOptions.h"
 

@@ -10,7 +10,7 @@
 
 #include "R1/Elementary.h"
 #include "source/app/options/BudgetWords.h"
-#include "source/app/options/ImageName.h"
+#include "source/app/options/FileNames.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/ProbeImage.h"
 #include "source/render/SceneFeatures.h"

@@ -6,7 +6,7 @@
 
 #include "R2/ImageFile.h"
 #include "source/app/files/ReadInputs.h"
-#include "source/app/options/ImageName.h"
+#include "source/app/options/FileNames.h"
 #include "source/app/report/Memory.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/Resources.h"

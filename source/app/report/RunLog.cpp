@@ -8,7 +8,7 @@
 #include "source/app/files/OutputFile.h"
 #include "source/app/files/SceneHash.h"
 #include "source/app/options/BudgetWords.h"
-#include "source/app/options/ImageName.h"
+#include "source/app/options/FileNames.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/BlackImage.h"

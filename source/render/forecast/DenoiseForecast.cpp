@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "source/film/SpreadRectangles.h"
+#include "source/film/PixelRectangle.h"
 #include "source/film/denoise/Denoise.h"
 #include "source/film/denoise/DenoisedError.h"
 #include "source/render/GatherGuides.h"

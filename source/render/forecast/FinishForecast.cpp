@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "source/film/SpreadRectangles.h"
+#include "source/film/PixelRectangle.h"
 #include "source/render/forecast/DenoiseForecast.h"
 #include "source/render/forecast/SecondsOf.h"
 

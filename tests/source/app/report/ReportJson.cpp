@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "source/app/options/OptionTable.h"
-#include "source/app/report/ReportFields.h"
 
 namespace ray {
 namespace {

@@ -1,4 +1,4 @@
-#include "source/film/SpreadRectangles.h"
+#include "source/film/PixelRectangle.h"
 
 #include <algorithm>
 #include <cmath>
