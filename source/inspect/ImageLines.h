@@ -19,8 +19,8 @@ class ImageLines {
   /// Returns true if nothing hides `p`, which is seen along `sight`, at `place` in the image.
   using IsVisible = std::function<bool(const R3::Point& p, const R3::Ray& sight, const R2::Point& place)>;
 
-  ImageLines(const Camera& camera, int width, int height, IsVisible is_visible)
-      : camera_(camera), width_(width), height_(height), is_visible_(std::move(is_visible)) {}
+  ImageLines(const Camera& camera, int columns, int rows, IsVisible is_visible)
+      : camera_(camera), width_(columns), height_(rows), is_visible_(std::move(is_visible)) {}
 
   /// Returns the pieces of a segment, each about 8 pixels long, at most 32; without parts that the image does not see,
   /// and those behind a pinhole.

@@ -34,7 +34,9 @@ TEST(ImageLines, FollowEachProjectionWithoutGaps) {
     EXPECT_LE(Distance(lines.back().to, *camera.PlaceOf(to, width, height)), 1e-9);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       EXPECT_FALSE(lines[i].is_hidden);
-      if (i > 0) EXPECT_EQ(Distance(lines[i].from, lines[i - 1].to), 0);
+      if (i > 0) {
+        EXPECT_EQ(Distance(lines[i].from, lines[i - 1].to), 0);
+      }
       // Each end of a piece is seen along a ray that passes the segment.
       const auto ray = camera.RayThrough(lines[i].to.x, lines[i].to.y, width, height);
       ASSERT_TRUE(ray);
