@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,14 @@ struct Stage {
   std::unique_ptr<ray::Scene> scene;
   ray::World world;
 };
+
+/// Returns default settings for an image of this size, which is square unless a height is given.
+inline ray::RenderSettings Sized(int width, std::optional<int> height = {}) {
+  ray::RenderSettings settings;
+  settings.width = width;
+  settings.height = height.value_or(width);
+  return settings;
+}
 
 inline ray::RenderResult Render(const Stage& stage, const ray::RenderSettings& settings,
                                 const ray::AcceleratorSettings& how = {}) {

@@ -37,7 +37,7 @@ extremes_table.sh M1
 fuzz.sh by .github/workflows/weekly.yml
 install.sh by make/install.mk
 install_names.sh by script/install.sh
-movie.sh by tests/source/app/Scripts.cpp
+movie.sh by tests/app/movie.txt
 mutations.sh -count 1 -list
 other_architecture.sh night -emulator env -program $RAYPRO scenes/sphere.scn
 preview_difference.sh -size 16 scenes/hello.scn

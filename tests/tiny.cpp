@@ -74,8 +74,7 @@ TEST(Room, FramesInProcessAreTheBytesOfRaypro) {
   const ray::World world(parsed.scene);
   const ray::AcceleratorSettings how;
   const auto accelerator = ray::FindAcceleratorKind(how.name)->Make(world, how);
-  ray::RenderSettings settings;
-  settings.width = settings.height = 512;
+  ray::RenderSettings settings = project::Sized(512);
   settings.threads = 2;
   settings.view = parsed.scene.camera;
   const R2::Image image = ray::Render(world, *accelerator, settings).image;

@@ -6,11 +6,13 @@
 
 #include "R2/ImageFile.h"
 #include "source/app/options/Program.h"
+#include "tests/R2/Filled.h"
 #include "tests/source/app/Program.h"
 
 /// Runs rayimg on images made for the test.
 namespace ray::rayimg {
 
+using R2::Filled;
 using testing::Decode;
 using testing::Finished;
 using testing::Has;
@@ -25,13 +27,6 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline const Program& program = Program::rayimg;
 
 inline Finished Rayimg(const Words& words) { return testing::RunProgram(words, {.program = "RAYIMG"}); }
-
-inline R2::Image Filled(int width, int height, const R2::Color& c) {
-  R2::Image image(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) image.Set(x, y, c);
-  return image;
-}
 
 /// Writes an image in the format of its name, and returns the name.
 inline std::string Save(const std::string& file, const R2::Image& image, const R2::ImageSettings& settings = {}) {

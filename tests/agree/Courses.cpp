@@ -112,8 +112,7 @@ R2::Image OfCorners(const std::string& scene, const std::string& mode) {
   constexpr int side = 400;
   parsed.camera.shift.x -= 1.0 / side;
   parsed.camera.shift.y -= 1.0 / side;
-  ray::RenderSettings settings;
-  settings.width = settings.height = side;
+  ray::RenderSettings settings = project::Sized(side);
   settings.mode = project::Named{mode};
   settings.trace.sampler = ray::SamplerKind::grid;
   settings.trace.max_depth = 0;

@@ -35,9 +35,7 @@ project::Stage EverythingAtOnce() {
 }
 
 RenderSettings Everything(const char* mode, const char* filter) {
-  RenderSettings s;
-  s.width = 37;
-  s.height = 29;
+  RenderSettings s = project::Sized(37, 29);
   s.samples = 3;
   s.seed = 5;
   s.mode = project::Named{mode};
@@ -168,8 +166,7 @@ TEST(Effects, WithoutAnEffectTheyChangeNoBit) {
       "camera 0 1.5 6  0 -0.2 -1  0 1 0  0.35  0.01 100 area_light 4 4 8  2 4 2  -1 -4 -2  0.7  0 0 1 "
       "material 0.2 0.2 0.2  0.5 0.4 0.3  0.3 0.3 0.3  0 0 0  0 0 0  20 1.5 0 box 0  -9 -1 -9  9 0 9 "
       "sphere 0  0.8 0.7 0  0.7 ";
-  RenderSettings plain;
-  plain.width = plain.height = 24;
+  RenderSettings plain = project::Sized(24);
   plain.samples = 2;
   const auto expected = rendered(scene, plain);
   RenderSettings stated = plain;
@@ -203,8 +200,7 @@ TEST(Extremes, G6_AnErrorTargetAppliesToTheCropAlone) {
   const project::Stage stage(project::FromText(
       "camera 0 2 6  0 -.3 -1  0 1 0  .5  .1 100 background .2 .3 .4 area_light 1 1 1  0 4 1  0 -1 0  1  1 0 0 "
       "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1 1 0 box 0  -4 -.1 -4  4 0 4 sphere 0  0 .8 0  .8"));
-  RenderSettings settings;
-  settings.width = settings.height = 48;
+  RenderSettings settings = project::Sized(48);
   settings.samples = 64;
   settings.trace.shadow_samples = 1;
   settings.budget.error = ray::ErrorTarget{2, ray::ErrorUnit::display};

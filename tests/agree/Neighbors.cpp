@@ -59,8 +59,7 @@ TEST(AdaptiveNeighbors, FullySamplesBlocksOnBothSidesOfAnEdge) {
       project::FromText("camera 0 0 1  0 0 -1  0 1 0  .7853981633974483  .01 100 background 0 0 0 ambient 1 1 1 "
                         "material 1 1 1  0 0 0  0 0 0  0 0 0  0 0 0  1 1 0 dir_light 0 0 0  0 -1 0 "
                         "tri 0  0 -9 0  9 -9 0  0 9 0 tri 0  9 -9 0  9 9 0  0 9 0"));
-  ray::RenderSettings settings;
-  settings.width = settings.height = 64;
+  ray::RenderSettings settings = project::Sized(64);
   settings.samples = 4;
   settings.budget.adaptive = ray::Adaptive::neighbors;
   const ray::RenderResult result = project::Render(stage, settings);

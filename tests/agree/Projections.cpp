@@ -32,8 +32,8 @@ std::vector<std::string> Projections() {
 }
 
 RenderSettings Settings(int width, int height, int samples = 1) {
-  RenderSettings settings;
-  settings.width = width, settings.height = height, settings.samples = samples;
+  RenderSettings settings = project::Sized(width, height);
+  settings.samples = samples;
   return settings;
 }
 

@@ -9,9 +9,7 @@
 namespace {
 
 ray::RenderSettings Small() {
-  ray::RenderSettings settings;
-  settings.width = 24;
-  settings.height = 18;
+  ray::RenderSettings settings = project::Sized(24, 18);
   settings.samples = 2;
   settings.trace.shadow_samples = 3;
   return settings;
@@ -84,8 +82,7 @@ TEST(SameImages, OfRayCountsAreRightForEveryAccelerator) {
   const project::Stage stage(
       project::FromText("camera 0 0 5  0 0 -1  0 1 0  0.3  0.01 100\npoint_light 1 1 1  0 0 5  1 0 0\n"
                         "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  1 1 0\nsphere 0  0 0 0  1\n"));
-  ray::RenderSettings settings;
-  settings.width = settings.height = 9;
+  ray::RenderSettings settings = project::Sized(9);
   settings.mode = ray::RenderMode::rays;
   const auto image = project::Render(stage, settings, {"bvh"}).image;
   EXPECT_NEAR(image.At(4, 4).b, ray::HeatColor(2).b, 1e-6);

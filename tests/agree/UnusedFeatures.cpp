@@ -10,9 +10,7 @@
 namespace {
 
 ray::RenderSettings Small(const std::string& mode) {
-  ray::RenderSettings settings;
-  settings.width = 20;
-  settings.height = 16;
+  ray::RenderSettings settings = project::Sized(20, 16);
   settings.samples = 4;
   settings.mode = project::Named{mode};
   settings.trace.shadow_samples = 3;

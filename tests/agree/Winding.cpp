@@ -38,8 +38,7 @@ R2::Image Shown(const std::string& material, RenderMode mode, bool is_mirrored) 
       "material 0 0 0  .7 .7 .7  0 0 0  0 0 0  0 0 0  1 1 t.png\nbox 0  -3 -3 -3  3 3 -2\n" +
       material + "\nbegin 1  1 .2 0 0  0 1 0 .1  0 0 1 0  0 0 0 1  mesh -1 a.obj smooth end\n";
   const project::Stage stage(Parse(WriteFile(folder / "a.scn", scene), {}).scene);
-  RenderSettings settings;
-  settings.width = settings.height = 24;
+  RenderSettings settings = project::Sized(24);
   settings.samples = 4;
   settings.trace.max_depth = 8;
   settings.trace.fresnel = true;

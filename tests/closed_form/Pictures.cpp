@@ -13,9 +13,7 @@ namespace {
 bool IsLit(const R2::Color& c) { return Luminance(c) > 0; }
 
 TEST(Trap, AUnitSphereFills77PercentOfTheWidth) {
-  ray::RenderSettings settings;
-  settings.width = 2000;
-  settings.height = 1;
+  ray::RenderSettings settings = project::Sized(2000, 1);
   const auto result = project::Render(project::Stage(project::FromText("ambient 1 1 1 sphere -1 0 0 0 1")), settings);
   int lit = 0;
   for (int x = 0; x < settings.width; ++x) lit += IsLit(result.image.At(x, 0));
@@ -29,9 +27,7 @@ TEST(Trap, AUnitSphereFills77PercentOfTheWidth) {
 TEST(Trap, AnotherHeightKeepsTheHorizontalView) {
   const project::Stage stage(project::FromText("ambient 1 1 1 sphere -1 0 0 0 1"));
   const auto lit_in_middle_row = [&](int height) {
-    ray::RenderSettings settings;
-    settings.width = 301;
-    settings.height = height;
+    ray::RenderSettings settings = project::Sized(301, height);
     const auto image = project::Render(stage, settings).image;
     int lit = 0;
     for (int x = 0; x < settings.width; ++x) lit += IsLit(image.At(x, height / 2));
@@ -47,8 +43,7 @@ TEST(Extremes, F2_AClearObjectOfIndexOneIsInvisible) {
       "material 0 0 0 0.5 0.4 0.3 0.2 0.2 0.2 0 0 0 0 0 0 10 1 0 "
       "material 0 0 0 0 0 0 0 0 0 1 1 1 0 0 0 10 1 0 "
       "sphere 0 0.4 0.1 -2 1 box 0 -2 -1.5 -2 -0.5 0.5 -1 ";
-  ray::RenderSettings settings;
-  settings.width = settings.height = 64;
+  ray::RenderSettings settings = project::Sized(64);
   settings.trace.max_depth = 20;   // clear crossings count, up to four of a torus on each way
   settings.trace.shadows = false;  // a clear blocker still blocks, by rule
   const auto without = project::Render(project::Stage(project::FromText(behind)), settings);
@@ -64,8 +59,7 @@ TEST(Extremes, F2_AClearObjectOfIndexOneIsInvisible) {
 TEST(Refraction, AWindowOutOfGlassEndsAtTheCriticalAngle) {
   // From inside a block of index 1.5, 1 above its lower face, the background shows within asin(1/1.5) of the axis and
   // is black beyond. Pixels whose border the circle crosses may be either.
-  ray::RenderSettings settings;
-  settings.width = settings.height = 101;
+  ray::RenderSettings settings = project::Sized(101);
   settings.trace.min_luminance = 0;
   settings.trace.max_depth = 1;
   const project::Stage stage(
@@ -88,8 +82,7 @@ TEST(Refraction, AWindowOutOfGlassEndsAtTheCriticalAngle) {
 TEST(Extremes, A3_RefractionEntersAndLeavesTheRightWayUnderEveryMirror) {
   // A ball under any of the eight sign patterns is the same ball: the picture through it may not change by more than
   // rounding.
-  ray::RenderSettings settings;
-  settings.width = settings.height = 48;
+  ray::RenderSettings settings = project::Sized(48);
   settings.trace.max_depth = 4;
   const auto picture = [&](int signs) {
     const auto sign = [&](int axis) { return std::string(signs >> axis & 1 ? "-1" : "1"); };
@@ -116,14 +109,12 @@ TEST(Extremes, B3_AGroundSphereShowsNoRingsOfShadowOnItself) {
   // Light grazes a ground of radius 1e6 and 1e9; nothing stands on it, so every pixel below the horizon is lit.
   for (const std::string radius : {"1e6", "1e9"})
     for (const std::string eye : {"0.001", "1", "100"}) {
-      ray::RenderSettings settings;
-      settings.width = settings.height = 64;
       const auto image = project::Render(project::Stage(project::FromText("camera 0 " + eye +
                                                                           " 0  0 -0.5 -1  0 1 0  0.4 0.01 100 "
                                                                           "dir_light 1 1 1 -1 -0.3 -1 "
                                                                           "sphere -1 0 -" +
                                                                           radius + " 0 " + radius)),
-                                         settings)
+                                         project::Sized(64))
                              .image;
       for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) EXPECT_TRUE(IsLit(image.At(x, y))) << radius << ' ' << eye << ' ' << x << ' ' << y;
@@ -131,12 +122,9 @@ TEST(Extremes, B3_AGroundSphereShowsNoRingsOfShadowOnItself) {
 }
 
 TEST(Extremes, G8_AnEmptySceneIsItsBackground) {
-  ray::RenderSettings settings;
-  settings.width = 3;
-  settings.height = 2;
   for (const std::string text : {"background 0.25 0.5 1", "background 0.25 0.5 1 dir_light 1 1 1 0 -1 0",
                                  "background 0.25 0.5 1 camera 0 0 0 0 0 -1 0 1 0 0.3 0.1 10"}) {
-    const auto image = project::Render(project::Stage(project::FromText(text)), settings).image;
+    const auto image = project::Render(project::Stage(project::FromText(text)), project::Sized(3, 2)).image;
     for (int i = 0; i < 6; ++i) EXPECT_EQ(image.At(i % 3, i / 3), (R2::Color{0.25, 0.5, 1})) << text;
   }
 }
@@ -144,8 +132,7 @@ TEST(Extremes, G8_AnEmptySceneIsItsBackground) {
 TEST(Extremes, F6_BranchingRaysStopAtTheDescendantLimit) {
   // Each hit both reflects and transmits with weight 1: without a limit 2^depth rays. The spheres are of two materials,
   // since a surface with one on both sides is not there for rays.
-  ray::RenderSettings settings;
-  settings.width = settings.height = 1;
+  ray::RenderSettings settings = project::Sized(1);
   settings.trace.max_depth = 1'000'000'000;
   settings.trace.min_luminance = 0;
   const auto result =
@@ -161,8 +148,7 @@ TEST(Extremes, F6_BranchingRaysStopAtTheDescendantLimit) {
 
 // A count of surfaces would be a thousand times too small here, and the user is told how many rays are missing.
 TEST(Extremes, F6_EveryRayCutByTheLimitIsCounted) {
-  ray::RenderSettings settings;
-  settings.width = settings.height = 1;
+  ray::RenderSettings settings = project::Sized(1);
   settings.trace.max_depth = 2;
   settings.trace.min_luminance = 0;
   const auto result =

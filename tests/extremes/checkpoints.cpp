@@ -16,9 +16,7 @@
 namespace {
 
 ray::RenderSettings Everything() {
-  ray::RenderSettings settings;
-  settings.width = 40;
-  settings.height = 27;
+  ray::RenderSettings settings = project::Sized(40, 27);
   settings.samples = 24;
   settings.mode = ray::RenderMode::path;
   settings.filter = ray::FilterKind::mitchell;
@@ -211,8 +209,7 @@ TEST(Extremes, L9_ACheckpointWithNumbersThatNoRenderKeepsIsRefused) {
   };
   for (const ray::FilterKind filter : {ray::FilterKind::box, ray::FilterKind::mitchell})
     for (const bool by_error : {false, true}) {
-      ray::RenderSettings settings;
-      settings.width = settings.height = 48;
+      ray::RenderSettings settings = project::Sized(48);
       settings.tile_size = 8;
       settings.samples = 64;
       settings.threads = 1;

@@ -56,8 +56,7 @@ const std::string scene_text =
 /// From the text to the picture.
 R2::Image Picture(const char* accelerator, ray::RenderMode mode) {
   const project::Stage stage(project::FromText(scene_text));
-  ray::RenderSettings settings;
-  settings.width = 10, settings.height = 9;
+  ray::RenderSettings settings = project::Sized(10, 9);
   settings.samples = 2;
   settings.mode = mode;
   settings.threads = 1;
@@ -106,8 +105,7 @@ class Faulty : public ray::Integrator {
 
 TEST(Extremes, L8_AThreadThatThrowsEndsTheRenderWithItsMessage) {
   const project::Stage stage(project::FromText(scene_text));
-  ray::RenderSettings settings;
-  settings.width = settings.height = 120;
+  ray::RenderSettings settings = project::Sized(120);
   settings.tile_size = 8;
   for (const int threads : {1, 2, 7}) {
     settings.threads = threads;

@@ -76,8 +76,7 @@ TEST(Extremes, D11_ZeroNormalsUseFacesAndWrongOnesAddNoLight) {
   const auto shown = [&](const std::string& normals, const char* light, bool shadows) {
     WriteFile(folder / "a.obj", Triangle(normals));
     const project::Stage stage(ParsedFrom(folder, scene + light + "\n").scene);
-    RenderSettings settings;
-    settings.width = settings.height = 9;
+    RenderSettings settings = project::Sized(9);
     settings.trace.shadows = shadows;
     return project::Render(stage, settings).image.At(4, 4).g;
   };
@@ -109,10 +108,8 @@ TEST(Extremes, D13_HugeTextureCoordinatesWrapAndNonFiniteOnesAreZero) {
                           "vt 1e150 0\nvt -1e150 1e150\nvt 0 0\n"}) {
     WriteFile(folder / "a.obj", Triangle(flat, uvs));
     const project::Stage stage(ParsedFrom(folder, scene).scene);
-    RenderSettings settings;
-    settings.width = settings.height = 16;
     int lit = 0;
-    const R2::Image image = project::Render(stage, settings).image;
+    const R2::Image image = project::Render(stage, project::Sized(16)).image;
     for (const float x : image.Channels()) {
       ASSERT_TRUE(x >= 0 && x <= 1) << uvs;  // a color of the texture
       lit += x > 0;

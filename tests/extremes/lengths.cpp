@@ -92,9 +92,7 @@ TEST(Extremes, A9_ASceneOfAnySizeGivesTheSameImage) {
         "camera 0 0 5" + e + " 0 0 -1 0 1 0 .4 .1" + e + "9" + e + "\ndir_light 1 1 1 -1 -1 -3\nsphere -1 -1" + e + o +
         o + ".7" + e + "\ncylinder -1 1" + e + o + o + ".5" + e + "1" + e + "\ncone -1 0 1" + e + o + ".5" + e + "1" +
         e + "\ntri -1 -1" + e + "-1" + e + o + "1" + e + "-1" + e + o + o + "-.5" + e + "1" + e + "\n"));
-    ray::RenderSettings settings;
-    settings.width = settings.height = 48;
-    return project::Render(stage, settings, {.name = accelerator}).image;
+    return project::Render(stage, project::Sized(48), {.name = accelerator}).image;
   };
   // Decimal scales round the numbers themselves: pixels at outlines may change sides, no others.
   const R2::Image usual = render(0, "none");

@@ -57,8 +57,7 @@ TEST(Extremes, E8_SmoothNormalsLetNoLightThroughFromBehind) {
     const project::Stage stage(std::move(scene));
     for (const bool shadows : {true, false})
       for (const ray::RenderMode mode : {ray::RenderMode::whitted, ray::RenderMode::path}) {
-        ray::RenderSettings settings;
-        settings.width = settings.height = side;
+        ray::RenderSettings settings = project::Sized(side);
         settings.trace.shadows = shadows;
         settings.trace.max_depth = 0;
         settings.mode = mode;

@@ -15,8 +15,7 @@ R2::Image Highlight(const std::string& exponent) {
       project::FromText("camera 0 0 5  0 0 -1  0 1 0  .3  .1 100\npoint_light 1 1 1  1 1 5  1 0 0\n"
                         "material 0 0 0  0 0 0  .5 .5 .5  0 0 0  0 0 0  " +
                         exponent + " 1 0\nsphere 0  0 0 0  1\n"));
-  ray::RenderSettings settings;
-  settings.width = settings.height = 48;
+  ray::RenderSettings settings = project::Sized(48);
   settings.trace.max_depth = 0;
   return project::Render(stage, settings).image;
 }

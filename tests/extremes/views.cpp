@@ -22,9 +22,7 @@ const std::string gray = "point_light 0 0 0 9 9 9 1 0 0\nmaterial .2 .2 .2  .6 .
 R2::Image Picture(const std::string& scene, int width, int height, ray::RenderMode mode = ray::RenderMode::whitted,
                   int samples = 1) {
   const project::Stage stage(project::FromText(scene));
-  ray::RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
+  ray::RenderSettings settings = project::Sized(width, height);
   settings.mode = mode;
   settings.samples = samples;
   settings.trace.max_depth = 20;
@@ -170,8 +168,7 @@ TEST(Extremes, B12_AMillionSizesFromTheOriginNoGrayLevelChanges) {
 TEST(Extremes, J7_AThousandRendersAreOneImage) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = ray::FindAcceleratorKind("bvh")->Make(stage.world, {});
-  ray::RenderSettings settings;
-  settings.width = settings.height = 10;
+  ray::RenderSettings settings = project::Sized(10);
   settings.samples = 2;
   settings.trace.shadow_samples = 2;
   const R2::Image first = ray::Render(stage.world, *accelerator, settings).image;
@@ -235,8 +232,8 @@ TEST(Extremes, G11_LensesGiveFiniteImagesOrAreRefused) {
         EXPECT_EQ(refusal.empty(), kind->has_lens) << scene.str() << refusal;
         if (!kind->has_lens) continue;
         const project::Stage stage(project::FromText(scene.str()));
-        ray::RenderSettings settings;
-        settings.width = 12, settings.height = 8, settings.samples = 4;
+        ray::RenderSettings settings = project::Sized(12, 8);
+        settings.samples = 4;
         settings.camera.aperture = aperture, settings.camera.focus = focus;
         EXPECT_TRUE(IsFinite(project::Render(stage, settings).image)) << scene.str();
       }

@@ -104,8 +104,7 @@ double Mean(const R2::Image& image) {
 }
 
 TEST(OneSided, ALampShinesForwardEquallyByEveryStrategy) {
-  RenderSettings settings;
-  settings.width = settings.height = 16;
+  RenderSettings settings = project::Sized(16);
   settings.samples = 256;
   settings.trace.max_depth = 1;
   settings.trace.emissive_solids_light = true;
@@ -127,15 +126,13 @@ TEST(OneSided, ALampShinesForwardEquallyByEveryStrategy) {
 
 TEST(OneSided, AFaceShadowsOnlyPointsThatSeeItsFront) {
   const auto floor_under = [](const std::string& roof) {
-    RenderSettings settings;
-    settings.width = settings.height = 9;
     const R2::Image image =
         project::Render(project::Stage(project::FromText(
                             "camera look_at 0 1 3 0 0 0 0 1 0 5 dir_light 1 1 1 0 -1 0 ambient 0 0 0 "
                             "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0 material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 1 1 0 "
                             "plane 0 0 0 0 0 1 0 " +
                             roof)),
-                        settings)
+                        project::Sized(9))
             .image;
     return image.At(4, 4).g;
   };

@@ -33,8 +33,7 @@ class Pictures {
     return project::Stage(folder_ / "in.scn");
   }
   R2::Image operator()(const std::string& text, const std::string& mode = "whitted") const {
-    RenderSettings settings;
-    settings.width = settings.height = 40;
+    RenderSettings settings = project::Sized(40);
     settings.mode = project::Named{mode};
     return project::Render(Stage(text), settings).image;
   }

@@ -16,25 +16,15 @@ namespace {
 using testing::Finished;
 using testing::Has;
 using testing::List;
+using testing::Place;
 using testing::ReadFile;
 using testing::RunProgram;
-using testing::SceneFolder;
 using testing::With;
 using testing::WriteFile;
 
 RenderOptions OptionsOfDenoiser(const List& more) {
   return ReadCommandLine(Program::raypro, With({"in.scn", "out.ppm"}, more));
 }
-
-struct StageForDenoiser : SceneFolder {
-  StageForDenoiser()
-      : SceneFolder(
-            "camera 0 1 6  0 0 -1  0 1 0  0.3  0.1 100\nbox -1  -4 -1 -4  4 0 4\nsphere -1  0 0.8 0  0.8\n"
-            "area_light 9 9 9  2 4 2  -1 -2 -1  1  0 0 1\n") {}
-  Finished Run(const std::string& image, const List& more) const {
-    return RunProgram(With({Scene(), *this / image, "-width", "40", "-height", "30"}, more));
-  }
-};
 
 TEST(Denoiser, IsOursByDefaultAndAutoIsResolvedBeforeRendering) {
   EXPECT_EQ(OptionsOfDenoiser({"-denoise", "-samples", "4"}).render.denoiser, Denoiser::regression);
@@ -46,7 +36,7 @@ TEST(Denoiser, IsOursByDefaultAndAutoIsResolvedBeforeRendering) {
 TEST(Denoiser, ThatIsMissingIsReportedBeforeTheFirstRay) {
   NEEDS_THE_PROGRAM();
   if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
-  const StageForDenoiser place;
+  const Place place;
   for (const char* name : {"oidn", "both"}) {
     const Finished run = place.Run("a.png", {"-samples", "4", "-denoise", "-denoiser", name});
     EXPECT_EQ(run.status, status::wrong_arguments);
@@ -65,7 +55,7 @@ TEST(Denoiser, OfThePythonPackageIsFound) {
   if (OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has Open Image Denoise";
   Dl_info info{};
   ASSERT_NE(dladdr(dlsym(RTLD_DEFAULT, "jpeg_std_error"), &info), 0);
-  const StageForDenoiser place;
+  const Place place;
   const std::filesystem::path folder = place / "lib/python3.11/site-packages/pyoidn/oidn/lib";
   std::filesystem::create_directories(folder);
   std::filesystem::copy_file(info.dli_fname, folder / "libOpenImageDenoise.so.2");
@@ -76,7 +66,7 @@ TEST(Denoiser, OfThePythonPackageIsFound) {
 
 TEST(Denoiser, WithoutDenoisingIsWarnedOfAndNotLoaded) {
   NEEDS_THE_PROGRAM();
-  const StageForDenoiser place;
+  const Place place;
   const Finished run = place.Run("a.png", {"-denoiser", "oidn"});
   EXPECT_EQ(run.status, status::done);
   EXPECT_TRUE(Has(run.error, "-denoiser has no effect without -denoise")) << run.error;
@@ -87,9 +77,10 @@ TEST(Denoiser, WithoutDenoisingIsWarnedOfAndNotLoaded) {
 TEST(Denoiser, OfALibraryIsRecordedAndRequiredByReplay) {
   NEEDS_THE_PROGRAM();
   if (!OpenImageDenoise::IsPresent()) GTEST_SKIP() << "this machine has no Open Image Denoise";
-  const StageForDenoiser place;
+  const Place place;
   const List settings{"-denoise", "-denoiser", "oidn"};
-  const Finished run = place.Run("a.png", With(settings, {"-samples", "4", "-report", place / "r.json"}));
+  const Finished run = RunProgram(With({place.Scene(), place / "a.png", "-width", "40", "-height", "30"},
+                                       With(settings, {"-samples", "4", "-report", place / "r.json"})));
   const std::string name = DenoiseFilters(Denoiser::oidn).Name();
   EXPECT_TRUE(Has(run.output, " denoised by " + name + ", ")) << run.output << run.error;
   EXPECT_TRUE(Has(ReadFile(place / "a.png"), name));

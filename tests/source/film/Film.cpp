@@ -153,9 +153,7 @@ TEST(Film, EmptyPixelsAreBlackAndAllAreFinite) {
 TEST(Film, ThreadsAndTilesChangeNoBitUnderWideFilters) {
   const project::Stage stage(project::Root() / "scenes" / "area_light.scn");
   for (const char* filter : filter_names) {
-    RenderSettings settings;
-    settings.width = 45;
-    settings.height = 37;
+    RenderSettings settings = project::Sized(45, 37);
     settings.samples = 2;
     settings.filter = project::Named{filter};
     settings.trace.shadow_samples = 1;

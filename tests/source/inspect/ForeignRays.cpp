@@ -55,8 +55,7 @@ LoadedScene Ball(bool mirror) {
 
 std::string Verdict(const Student& student, bool mirror, int column = 44, int row = 30) {
   const LoadedScene scene = Ball(mirror);
-  RenderSettings settings;
-  settings.width = 80, settings.height = 60;
+  RenderSettings settings = project::Sized(80, 60);
   settings.trace.sampler = SamplerKind::grid;
   settings.trace.max_depth = 1;
   const auto foreign = student.Trace(column, row, 80, 60, mirror);

@@ -19,8 +19,7 @@ class Explained : public ::testing::Test {
     return LoadedScene(std::move(parsed), AcceleratorSettings{});
   }
   static RenderSettings Settings() {
-    RenderSettings settings;
-    settings.width = 80, settings.height = 60;
+    RenderSettings settings = project::Sized(80, 60);
     settings.trace.max_depth = 3;
     return settings;
   }

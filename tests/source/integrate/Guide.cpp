@@ -8,8 +8,7 @@ namespace ray {
 namespace {
 
 RenderSettings Small(RenderMode mode) {
-  RenderSettings settings;
-  settings.width = settings.height = 24;
+  RenderSettings settings = project::Sized(24);
   settings.mode = mode;
   return settings;
 }

@@ -13,8 +13,7 @@ namespace ray {
 namespace {
 
 RenderSettings Settings(const char* mode = "path") {
-  RenderSettings settings;
-  settings.width = settings.height = 1;
+  RenderSettings settings = project::Sized(1);
   settings.mode = project::Named{mode};
   settings.trace.min_luminance = 0;
   return settings;

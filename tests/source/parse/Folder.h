@@ -38,6 +38,13 @@ inline std::string ReportOf(std::string_view scene, const ParseOptions& options 
 
 inline bool Contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
+inline std::string Repeated(const std::string& text, std::size_t times) {
+  std::string all;
+  all.reserve(text.size() * times);
+  for (std::size_t i = 0; i < times; ++i) all += text;
+  return all;
+}
+
 using project::patience;
 
 inline const std::string identity = " 1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\n";

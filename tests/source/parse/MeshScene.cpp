@@ -24,8 +24,7 @@ R2::Image Silhouette(const std::filesystem::path& file, int width, int height) {
     material = {};
     material.color = is_ground ? R2::Color{} : R2::Color{1, 1, 1};
   }
-  RenderSettings settings;
-  settings.width = width, settings.height = height;
+  RenderSettings settings = project::Sized(width, height);
   settings.mode = RenderMode::flat;
   return project::Render(project::Stage(std::move(scene)), settings).image;
 }
@@ -62,9 +61,7 @@ TEST(MeshScene, HasAGroundBelowTheModelAndASkyAbove) {
   ASSERT_TRUE(ground);
   EXPECT_GT(ground->t, 1) << "the model stands on it and does not lie in it";
   EXPECT_LT(ground->t, 1.01);
-  RenderSettings settings;
-  settings.width = settings.height = 16;
-  const R2::Image image = project::Render(project::Stage(folder / "tall.off"), settings).image;
+  const R2::Image image = project::Render(project::Stage(folder / "tall.off"), project::Sized(16)).image;
   EXPECT_NEAR(image.At(0, 15).b, scene.background.b, 1e-6) << "the horizon is inside a square image";
   EXPECT_LT(image.At(0, 0).b, 0.9 * scene.background.b);
 }

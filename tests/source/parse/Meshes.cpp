@@ -294,9 +294,7 @@ TEST(Meshes, AMeshFileAloneIsAScene) {
   EXPECT_EQ(scene.files, std::vector<std::string>{file.string()});
   EXPECT_FALSE(scene.lights.empty());
   const project::Stage stage(file);
-  RenderSettings settings;
-  settings.width = settings.height = 9;
-  EXPECT_GT(project::Render(stage, settings).image.At(4, 4).r, 0) << "the default camera sees it";
+  EXPECT_GT(project::Render(stage, project::Sized(9)).image.At(4, 4).r, 0) << "the default camera sees it";
 }
 
 }  // namespace

@@ -33,8 +33,7 @@ struct Models : Folder {
     scene << "camera " << x << ' ' << y << " 50  0 0 -1  0 1 0  1e-6 .01 100\nbackground .4 .4 .4\n"
           << "dir_light 1 1 1  0 0 -1\nmaterial 0 0 0  0 .5 0  0 0 0  0 0 0  0 0 0  1 1 0\nmesh 0 " << model << ' '
           << how << '\n';
-    RenderSettings settings;
-    settings.width = settings.height = 1;
+    RenderSettings settings = project::Sized(1);
     return project::Render(project::Stage(Parse(Write("scene.scn", scene.str()), {}).scene), settings).image.At(0, 0);
   }
 };
@@ -443,9 +442,7 @@ TEST(Models, VertexColorsMultiplyKdOnRequest) {
       "camera 1 .5 50  0 0 -1  0 1 0  1e-6 .01 100\ndir_light 1 1 1 0 0 -1\nambient 1 1 1\n"
       "material .1 .1 .1  .8 .8 .8  0 0 0 0 0 0 0 0 0 1 1 0\nvertex_colors 0\n";
   const auto seen = [&](const std::string& more) {
-    RenderSettings settings;
-    settings.width = settings.height = 1;
-    return project::Render(project::Stage(Parse(models.Write("scene.scn", scene + more), {}).scene), settings)
+    return project::Render(project::Stage(Parse(models.Write("scene.scn", scene + more), {}).scene), project::Sized(1))
         .image.At(0, 0);
   };
   const std::string mesh = "mesh 0 meshlab_colors.obj\n";

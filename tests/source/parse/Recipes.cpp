@@ -25,9 +25,7 @@ std::vector<std::string> Blocks(const std::filesystem::path& page) {
 }
 
 R2::Image ImageFrom(const Folder& folder, const std::string& text) {
-  RenderSettings settings;
-  settings.width = settings.height = 24;
-  return project::Render(project::Stage(folder.Write("in.scn", text)), settings).image;
+  return project::Render(project::Stage(folder.Write("in.scn", text)), project::Sized(24)).image;
 }
 
 TEST(Recipes, EachIsReadAndChangesTheImage) {

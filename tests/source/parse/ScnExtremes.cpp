@@ -34,13 +34,6 @@ void OnSmallStack(const std::function<void()>& f) {
   pthread_attr_destroy(&attributes);
 }
 
-std::string Repeated(const std::string& part, std::size_t times) {
-  std::string all;
-  all.reserve(part.size() * times);
-  for (std::size_t i = 0; i < times; ++i) all += part;
-  return all;
-}
-
 TEST(Extremes, E5_LightsMayBeFarAndStrong) {
   const Scene scene = ParseText(
                           "point_light 1e30 1e-30 0  1e12 0 0  0 0 1\nspot_light 1 1 1  0 0 0  0 0 -1  1 0 0  0 1\n"

@@ -26,8 +26,7 @@ double SquaredDistance(const R2::Color& a, const R2::Color& b) {
 }
 
 R2::Image RenderedOf(const project::Stage& stage, int apart) {
-  RenderSettings settings;
-  settings.width = edge_width, settings.height = edge_height;
+  RenderSettings settings = project::Sized(edge_width, edge_height);
   settings.places = BlockOrder::places / apart;
   return project::Render(stage, settings).image;
 }

@@ -21,8 +21,7 @@ std::string TextOf(const std::string& more) {
 
 R2::Image Rendered(const std::string& more, double flare = 1, const char* accelerator = "auto",
                   std::optional<PixelRectangle> crop = {}) {
-  RenderSettings settings;
-  settings.width = flare_width, settings.height = flare_height;
+  RenderSettings settings = project::Sized(flare_width, flare_height);
   settings.flare = flare;
   settings.crop = crop;
   return project::Render(project::Stage(project::FromText(TextOf(more))), settings, {.name = accelerator}).image;
@@ -97,8 +96,7 @@ TEST(Flare, IsTheSameInCropsWithEveryAccelerator) {
 }
 
 RenderSettings FlaringSettings(RenderMode mode, double flare = 1) {
-  RenderSettings settings;
-  settings.width = flare_width, settings.height = flare_height;
+  RenderSettings settings = project::Sized(flare_width, flare_height);
   settings.mode = mode;
   settings.flare = flare;
   return settings;

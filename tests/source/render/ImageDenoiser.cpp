@@ -18,8 +18,7 @@ namespace ray {
 namespace {
 
 RenderSettings Indirect(int samples) {
-  RenderSettings settings;
-  settings.width = settings.height = 64;
+  RenderSettings settings = project::Sized(64);
   settings.samples = samples;
   settings.mode = RenderMode::path;
   settings.trace.max_depth = 4;
@@ -54,9 +53,7 @@ TEST(ImageDenoiser, MoreThanHalvesTheErrorOfIndirectLightAsClaimed) {
 
 TEST(ImageDenoiser, NoBitDependsOnThreadsOrTiles) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
-  RenderSettings settings;
-  settings.width = 45;
-  settings.height = 31;
+  RenderSettings settings = project::Sized(45, 31);
   settings.samples = 6;
   settings.denoise = true;
   settings.threads = 1;
@@ -124,9 +121,7 @@ TEST(ImageDenoiser, ACropHasThePixelsOfTheWhole) {
   for (const char* scene : {"hello", "indirect", "glossy"})
     for (const FilterKind filter : {FilterKind::box, FilterKind::mitchell}) {
       const project::Stage stage(project::Root() / "scenes" / (std::string(scene) + ".scn"));
-      RenderSettings settings;
-      settings.width = 90;
-      settings.height = 61;
+      RenderSettings settings = project::Sized(90, 61);
       settings.samples = 4;
       settings.mode = filter == FilterKind::box ? RenderMode::path : RenderMode::whitted;
       settings.filter = filter;
@@ -169,8 +164,7 @@ TEST(ImageDenoiser, ACropsErrorCountsItsOwnPixelsAlone) {
   const project::Stage stage(project::FromText(
       "camera 0 2 6  0 -.3 -1  0 1 0  .5  .1 100 background .2 .3 .4 area_light 1 1 1  0 4 1  0 -1 0  1  1 0 0 "
       "material 0 0 0  .8 .8 .8  0 0 0  0 0 0  0 0 0  1 1 0 box 0  -4 -.1 -4  4 0 4 sphere 0  0 .8 0  .8"));
-  RenderSettings settings;
-  settings.width = settings.height = 48;
+  RenderSettings settings = project::Sized(48);
   settings.samples = 4;
   settings.trace.shadow_samples = 1;
   settings.denoise = true;
@@ -198,8 +192,7 @@ TEST(ImageDenoiser, RefiningGuidesTakesAtMostSixRaysPerCameraRay) {
     for (const RenderMode mode : {RenderMode::whitted, RenderMode::path})
       for (const int samples : {2, 16}) {
         const project::Stage stage(project::Root() / "scenes" / (std::string(scene) + ".scn"));
-        RenderSettings settings;
-        settings.width = settings.height = 48;
+        RenderSettings settings = project::Sized(48);
         settings.samples = samples;
         settings.mode = mode;
         settings.denoise = true;
@@ -276,8 +269,7 @@ TEST(ImageDenoiser, KeepsTheRenderedImageWhenStoppedAndResumesExactly) {
 TEST(ImageDenoiser, ResumedFromAnywhereIsTheSameBitForBit) {
   const project::Stage stage(project::Root() / "scenes" / "glass.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
-  RenderSettings settings;
-  settings.width = settings.height = 40;
+  RenderSettings settings = project::Sized(40);
   settings.samples = 8;
   settings.denoise = true;
   settings.tile_size = 8;

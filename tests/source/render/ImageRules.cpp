@@ -9,8 +9,7 @@ namespace {
 
 /// Renders a pixel half of which shines at 4; the other half is black.
 R2::Color HalfBright(Clamp clamp) {
-  RenderSettings settings;
-  settings.width = settings.height = 1;
+  RenderSettings settings = project::Sized(1);
   settings.samples = 4;
   settings.trace.sampler = SamplerKind::grid;
   settings.clamp = clamp;
@@ -63,14 +62,12 @@ TEST(ImageRules, ATruncatedByteIsThatOfTheExactValue) {
 
 TEST(ImageRules, AShadowBiasLetsNearThingsCastNoShadow) {
   const auto seen = [](const std::string& bias) {
-    RenderSettings settings;
-    settings.width = settings.height = 1;
     // A blocker 0.1 above the floor, which the camera sees from below it.
     return project::Render(project::Stage(project::FromText(
                                bias + " camera 0 .05 0  0 -1 0  0 0 1  0.5  0.01 100 dir_light 1 1 1 0 -1 0 "
                                       "material 0 0 0  1 1 1  0 0 0  0 0 0  0 0 0  10 1 0 "
                                       "box 0  -9 -1 -9  9 0 9 box 0  -9 .1 -9  9 .2 9")),
-                           settings)
+                           project::Sized(1))
         .image.At(0, 0)
         .r;
   };
@@ -81,8 +78,6 @@ TEST(ImageRules, AShadowBiasLetsNearThingsCastNoShadow) {
 
 TEST(ImageRules, AShadowBiasHidesNearThingsBehindAnyGlass) {
   const auto seen = [](const std::string& bias, const std::string& index) {
-    RenderSettings settings;
-    settings.width = settings.height = 1;
     // A light 0.1 behind a pane.
     return project::Render(project::Stage(project::FromText(
                                bias +
@@ -92,7 +87,7 @@ TEST(ImageRules, AShadowBiasHidesNearThingsBehindAnyGlass) {
                                " 0 "
                                "material 0 0 0  0 0 0  0 0 0  0 0 0  .5 0 0  1 1 0 "
                                "disc 0  0 0 0  0 0 1  1 disc 1  0 0 -.1  0 0 1  1")),
-                           settings)
+                           project::Sized(1))
         .image.At(0, 0)
         .r;
   };

@@ -114,8 +114,7 @@ TEST(PixelTrace, ClampedSamplesCountAsInTheImage) {
 TEST(DebugPixel, WritesAllDigitsOnRequest) {
   const project::Stage stage(project::FromText("camera 0 0 0  0 0 -1  0 1 0  .39269908169872414 .01 100\n"));
   const auto accelerator = FindAcceleratorKind("none")->Make(stage.world, {});
-  RenderSettings settings;
-  settings.width = settings.height = 512;
+  RenderSettings settings = project::Sized(512);
   const double x = std::tan(std::numbers::pi / 8) / 512;  // of the pixel to the right of the middle
   EXPECT_NE(DebugPixel(stage.world, *accelerator, settings, 256, 256, Digits::all).find("along " + ToText(x) + " "),
             std::string::npos);

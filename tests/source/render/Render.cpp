@@ -16,9 +16,7 @@ namespace ray {
 namespace {
 
 RenderSettings Small() {
-  RenderSettings settings;
-  settings.width = 45;
-  settings.height = 31;
+  RenderSettings settings = project::Sized(45, 31);
   settings.samples = 6;
   settings.threads = 2;
   return settings;
@@ -164,9 +162,7 @@ TEST(Render, PassReportsDoNotChangeErrorTargetedImages) {
 TEST(Render, AnInterruptedImageIsWholeAfterTheFirstLook) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
-  RenderSettings settings;
-  settings.width = 60;
-  settings.height = 44;
+  RenderSettings settings = project::Sized(60, 44);
   settings.samples = 4;
   const R2::Image whole = Render(stage.world, *accelerator, settings).image;
   const auto mean_difference = [&](const R2::Image& image) {
@@ -188,9 +184,7 @@ TEST(Render, EndingInTheFirstSampleIsRepeatedByAReplay) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
   for (const FilterKind filter : {FilterKind::box, FilterKind::gaussian}) {
-    RenderSettings settings;
-    settings.width = 60;
-    settings.height = 44;
+    RenderSettings settings = project::Sized(60, 44);
     settings.filter = filter;
     settings.samples = 4;
     const RenderResult broken = BreakOff(stage.world, *accelerator, settings, 17).result;
@@ -221,8 +215,7 @@ class Stopper : public Integrator {
 TEST(Render, LooksCutShortByTimeAreSpreadOverTheImage) {
   const project::Stage stage(project::Root() / "scenes" / "hello.scn");
   const auto accelerator = FindAcceleratorKind("auto")->Make(stage.world, {});
-  RenderSettings settings;
-  settings.width = settings.height = 2048;
+  RenderSettings settings = project::Sized(2048);
   settings.budget.seconds = 1e-9;
   settings.tile_size = 16;  // so that a tile which a thread has just started does not count
   constexpr int blocks = 2048 / BlockOrder::side, parts = 4;  // across the image

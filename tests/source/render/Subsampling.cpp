@@ -17,8 +17,7 @@ namespace {
 std::string Hello() { return (project::Root() / "scenes/hello.scn").string(); }
 
 RenderSettings Settings(int apart, int width = 90, int height = 70) {
-  RenderSettings settings;
-  settings.width = width, settings.height = height;
+  RenderSettings settings = project::Sized(width, height);
   settings.places = BlockOrder::places / apart;
   return settings;
 }

@@ -13,9 +13,11 @@
 #include "source/sample/Random.h"
 #include "tests/ChiSquare.h"
 #include "tests/Folder.h"
+#include "tests/R2/Filled.h"
 
 namespace {
 
+using R2::Filled;
 using ray::Environment;
 using ray::EnvironmentLayout;
 using ray::LightSamples;
@@ -25,13 +27,6 @@ constexpr double last = 1 - 0x1p-53;
 R2::Point Random(std::uint64_t i) {
   const ray::RandomKey key = ray::RandomKey(11).Child(i);
   return {key.Child(0).Number(), key.Child(1).Number()};
-}
-
-R2::Image Filled(int width, int height, const R2::Color& color) {
-  R2::Image image(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) image.Set(x, y, color);
-  return image;
 }
 
 R2::Image RandomImage(int width, int height) {

@@ -25,8 +25,7 @@ struct Subject {
 };
 
 RenderSettings Settings(int width, int height, const ErrorTarget& target) {
-  RenderSettings settings;
-  settings.width = width, settings.height = height;
+  RenderSettings settings = project::Sized(width, height);
   settings.trace.shadow_samples = 1;
   settings.budget.error = target;
   return settings;

@@ -45,8 +45,7 @@ RenderResult WithBesideIt(const std::string& material, const std::string& lamp_s
   const project::Stage stage(
       project::FromText("camera 0 3 4  0 -.6 -1  0 1 0  .4  .1 100\n" + gray + material + bright_lamp +
                         "box 0  -3 -1 -3  3 0 3\nbox 1  -3 0 -3  3 3 -2.9\nsphere 2  0 4 0  " + lamp_size + "\n"));
-  RenderSettings settings;
-  settings.width = settings.height = 24;
+  RenderSettings settings = project::Sized(24);
   settings.mode = RenderMode::path;
   settings.samples = samples;
   return project::Render(stage, settings);

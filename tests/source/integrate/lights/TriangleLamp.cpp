@@ -15,8 +15,7 @@ statistics::Mean FloorUnder(const std::string& lamp, int lights = -1) {
   const project::Stage stage(project::FromText(
       "camera 0.3 0.4 0  -3 -4 0  0 0 -1  1e-7  0.01 100 point_light 0 0 0  0 9 0  1 0 0 " + emissive +
       "material 0 0 0  0.5 0.5 0.5  0 0 0  0 0 0  0 0 0  1 1 0 box 1  -1 -1 -1  1 0 1 " + lamp));
-  RenderSettings settings;
-  settings.width = settings.height = 16;
+  RenderSettings settings = project::Sized(16);
   settings.samples = 16;
   settings.trace.lights = lights;
   return statistics::MeanOverPixels(project::Render(stage, settings).image);

@@ -19,8 +19,7 @@ project::Stage Balls() {
 }
 
 R2::Image Shown(const project::Stage& stage, const char* mode, int side = 33) {
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = project::Sized(side);
   settings.mode = project::Named{mode};
   return project::Render(stage, settings).image;
 }
@@ -105,8 +104,7 @@ TEST(FirstHit, ColorsForAScreenAreThoseOfTheLayers) {
 }
 
 TEST(FirstHit, AZbufferShowsTheRangeItIsGiven) {
-  RenderSettings settings;
-  settings.width = settings.height = 33;
+  RenderSettings settings = project::Sized(33);
   settings.mode = RenderMode::zbuffer;
   settings.trace.zbuffer = {3, 13};
   EXPECT_NEAR(project::Render(Balls(), settings).image.At(16, 16).r, 0.9, 1e-6);  // 4 away
@@ -122,8 +120,7 @@ TEST(FirstHit, GoochGoesFromCoolToWarmTowardsTheLight) {
       "camera 0 0 5  0 0 -1  0 1 0  0.5  0.01 100 material 0 0 0  .5 .25 0  .125 0 0  0 0 0  0 0 0  10 1 0 "
       "sphere 0  0 0 0  1 ";
   const auto seen = [&](const std::string& light) {
-    RenderSettings settings;
-    settings.width = settings.height = 1;
+    RenderSettings settings = project::Sized(1);
     settings.mode = RenderMode::gooch;
     settings.trace.gooch = {.blue = 0.4, .yellow = 0.3, .alpha = 0.25, .beta = 0.5};
     return project::Render(project::Stage(project::FromText(scene + light)), settings).image.At(0, 0);
@@ -168,8 +165,7 @@ TEST(FirstHit, IdsNumberThePrimitivesInTheOrderOfTheFile) {
 TEST(FirstHit, CostsOneRayAPixelAndNoOther) {
   const project::Stage stage = Balls();
   for (const char* mode : {"depth", "normal", "uv", "albedo", "id"}) {
-    RenderSettings settings;
-    settings.width = settings.height = 8;
+    RenderSettings settings = project::Sized(8);
     settings.mode = project::Named{mode};
     const auto rays = project::Render(stage, settings).rays;
     EXPECT_EQ(rays.Total(), 64u) << mode;

@@ -13,8 +13,7 @@ namespace {
 constexpr int side = 120;
 
 RenderSettings Drawing(int samples = 1) {
-  RenderSettings settings;
-  settings.width = settings.height = side;
+  RenderSettings settings = project::Sized(side);
   settings.samples = samples;
   settings.mode = RenderMode::hatching;
   return settings;

@@ -14,8 +14,7 @@ namespace {
 constexpr int outline_side = 100;
 
 R2::Image WithOutline(const std::string& scene, double thickness, RenderMode mode = RenderMode::flat) {
-  RenderSettings settings;
-  settings.width = settings.height = outline_side;
+  RenderSettings settings = project::Sized(outline_side);
   settings.mode = mode;
   settings.trace.outline.width = thickness;
   return project::Render(project::Stage(project::FromText(scene)), settings).image;
@@ -72,8 +71,7 @@ TEST(Outline, AppliesToAnyModeAndCostsNothingWithoutAWidth) {
   const std::string scene = WhiteScene("sphere 0  0 0 0  3 dir_light 1 1 1  0 0 -1");
   for (const RenderMode mode : {RenderMode::whitted, RenderMode::path, RenderMode::gooch, RenderMode::toon}) {
     EXPECT_NEAR(BlackIn(WithOutline(scene, 3, mode), 0, outline_side / 2, outline_side / 2), 3, 1) << NameOf(mode);
-    RenderSettings settings;
-    settings.width = settings.height = outline_side;
+    RenderSettings settings = project::Sized(outline_side);
     settings.mode = mode;
     settings.trace.max_depth = 0;
     const auto rays = project::Render(project::Stage(project::FromText(scene)), settings).rays;
@@ -84,8 +82,7 @@ TEST(Outline, AppliesToAnyModeAndCostsNothingWithoutAWidth) {
 TEST(Outline, IsTheSameInACrop) {
   const std::string scene = WhiteScene("sphere 0  0 0 0  3 box 0  -4 -4 0  -2 -2 2");
   const R2::Image whole = WithOutline(scene, 2);
-  RenderSettings settings;
-  settings.width = settings.height = outline_side;
+  RenderSettings settings = project::Sized(outline_side);
   settings.mode = RenderMode::flat;
   settings.trace.outline.width = 2;
   settings.crop = PixelRectangle{10, 20, 60, 50};
@@ -96,8 +93,7 @@ TEST(Outline, IsTheSameInACrop) {
 
 TEST(Toon, HasTheRequestedTonesAndDarkness) {
   for (const int bands : {1, 3, 7}) {
-    RenderSettings settings;
-    settings.width = settings.height = outline_side;
+    RenderSettings settings = project::Sized(outline_side);
     settings.mode = RenderMode::toon;
     settings.trace.toon_bands = bands;
     const std::string scene = WhiteScene("sphere 0  0 0 0  3 dir_light .9 .9 .9  -1 0 -1");
@@ -112,8 +108,7 @@ TEST(Toon, HasTheRequestedTonesAndDarkness) {
 
 // With exponent 10, V.R is at least 0.933 where its power is above a half: within 21 degrees, or 10.5 of the normal.
 TEST(Toon, HighlightsAreSpotsWithAnEdge) {
-  RenderSettings settings;
-  settings.width = settings.height = outline_side;
+  RenderSettings settings = project::Sized(outline_side);
   settings.mode = RenderMode::toon;
   const std::string scene =
       "camera 0 0 1000  0 0 -1  0 1 0  .0049999583  1 2000 background 0 0 0 material 0 0 0  0 0 0  1 .5 .25  0 0 0  "

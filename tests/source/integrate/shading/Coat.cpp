@@ -47,8 +47,7 @@ Scene CoatedBall(const std::string& kd, const std::string& background) {
 
 TEST(Coat, AWhiteBallUnderVarnishVanishesInAWhiteFurnace) {
   const project::Stage stage(CoatedBall("1 1 1", "1 1 1"));
-  RenderSettings settings;
-  settings.width = settings.height = 8;
+  RenderSettings settings = project::Sized(8);
   settings.samples = 256;
   settings.mode = RenderMode::path;
   settings.trace.max_depth = 20;
@@ -61,8 +60,7 @@ TEST(Coat, AWhiteBallUnderVarnishVanishesInAWhiteFurnace) {
 
 TEST(Coat, InModeWhittedItMirrorsAFaintImage) {
   const project::Stage stage(CoatedBall("0 0 0", "1 1 1"));
-  RenderSettings settings;
-  settings.width = settings.height = 1;                                        // straight on
+  RenderSettings settings = project::Sized(1);                                        // straight on
   EXPECT_NEAR(project::Render(stage, settings).image.At(0, 0).r, 0.04, 1e-8);  // an image has single precision
 }
 

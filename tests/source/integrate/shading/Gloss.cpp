@@ -18,8 +18,7 @@ std::string MirrorBalls(const std::string& n, const std::string& more) {
 }
 
 RenderSettings GlossSettings(int count = 4) {
-  RenderSettings settings;
-  settings.width = settings.height = 40;
+  RenderSettings settings = project::Sized(40);
   settings.samples = count;
   settings.trace.min_luminance = 0;
   return settings;

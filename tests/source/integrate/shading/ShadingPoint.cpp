@@ -32,8 +32,7 @@ TEST(Absorption, ThroughABallIsExponentialInItsDiameter) {
                           "absorb 0  0.1 0.5 2 sphere 0  0 0 0  " +
                           std::to_string(radius)));
     for (const char* mode : {"whitted", "path"}) {
-      RenderSettings settings;
-      settings.width = settings.height = 1;
+      RenderSettings settings = project::Sized(1);
       settings.mode = project::Named{mode};
       settings.trace.min_luminance = 0;
       settings.trace.roulette = Roulette::off;

@@ -36,8 +36,7 @@ project::Stage WithMap(const std::string& text, std::shared_ptr<const Texture> m
 }
 
 RenderSettings Small(const std::string& mode) {
-  RenderSettings settings;
-  settings.width = settings.height = 24;
+  RenderSettings settings = project::Sized(24);
   settings.samples = 4;
   settings.mode = project::Named{mode};
   return settings;

@@ -30,9 +30,7 @@ class ScaledWall {
                   "camera look_at 0 0 5 0 0 0 0 1 0 50  dir_light 1 1 1 -1 -2 -3\n"
                   "material 0 0 0 1 1 1 0 0 0 0 0 0 0 0 0 10 1 patches.ppm\n" +
                       more + "\nmesh 0 " + mesh + "\n");
-    RenderSettings settings;
-    settings.width = settings.height = 48;
-    return project::Render(project::Stage(folder_ / "in.scn"), settings).image;
+    return project::Render(project::Stage(folder_ / "in.scn"), project::Sized(48)).image;
   }
 
  private:

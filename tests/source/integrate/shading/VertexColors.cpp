@@ -39,8 +39,7 @@ Scene SceneOf(R3::MeshData data, const R3::Matrix& matrix, bool asks) {
 }
 
 R2::Color Seen(Scene scene, const char* mode) {
-  RenderSettings settings;
-  settings.width = settings.height = 1;
+  RenderSettings settings = project::Sized(1);
   settings.mode = project::Named{mode};
   return project::Render(project::Stage(std::move(scene)), settings).image.At(0, 0);
 }

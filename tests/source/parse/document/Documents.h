@@ -37,13 +37,6 @@ struct Read {
 inline Read Json(const std::string& bytes) { return {Read::Language::json, bytes}; }
 inline Read Yaml(const std::string& bytes) { return {Read::Language::yaml, bytes}; }
 
-inline std::string Repeated(const std::string& text, std::size_t times) {
-  std::string all;
-  all.reserve(text.size() * times);
-  for (std::size_t i = 0; i < times; ++i) all += text;
-  return all;
-}
-
 /// Returns a value on one line: mappings in braces, lists in brackets, "-" for nothing. Depth is within the document's
 /// limit.
 inline std::string Written(const Value& value) {

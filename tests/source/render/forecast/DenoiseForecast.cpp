@@ -11,8 +11,7 @@ namespace ray {
 namespace {
 
 RenderSettings SettingsToForecast(int samples) {
-  RenderSettings settings;
-  settings.width = settings.height = 128;
+  RenderSettings settings = project::Sized(128);
   settings.samples = samples;
   settings.denoise = true;
   settings.threads = 1;

@@ -30,9 +30,7 @@ std::shared_ptr<LoadedScene> Loaded(const std::string& name, const AcceleratorSe
 }
 
 RenderSettings Sized(int width, int height) {
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
+  RenderSettings settings = project::Sized(width, height);
   settings.threads = 2;
   return settings;
 }
