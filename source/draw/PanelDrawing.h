@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -22,6 +23,7 @@ struct PanelDrawing {
     float x = 0, y = 0;
     float u = 0, v = 0;  // on the sheet, from 0 at its upper left corner to 1
     Rgba color{};
+    friend auto operator<=>(const Corner&, const Corner&) = default;
   };
   /// Some of the triangles, and the rectangle to which they are clipped.
   struct Part {

@@ -140,27 +140,27 @@ class Reader {
     const std::string_view what = next && next->line == line_.line ? next->text : std::string_view();
     if (what == "trace") {
       tokens_.Next();
-      steps_.emplace_back(WaitForTrace{});
+      Add(WaitForTrace{});
     } else if (what == "image") {
       tokens_.Next();
-      steps_.emplace_back(WaitForImage{});
+      Add(WaitForImage{});
     } else if (what == "rows") {
       tokens_.Next();
-      steps_.emplace_back(WaitForRows{Whole("rows")});
+      Add(WaitForRows{Whole("rows")});
     } else {
-      steps_.emplace_back(WaitSeconds{Seconds()});
+      Add(WaitSeconds{Seconds()});
     }
   }
   void ReadOrigin() {
     const Token word = Word("top or bottom");
     if (word.text != "top" && word.text != "bottom") throw ErrorAt(text_, word, "the origin is top or bottom");
-    steps_.emplace_back(Origin{word.text == "bottom"});
+    Add(Origin{word.text == "bottom"});
   }
-  void ReadScreenshot() { steps_.emplace_back(Screenshot{RestOfLine("the name of an image file")}); }
-  void ReadPanel() { steps_.emplace_back(ClickPanel{RestOfLine("what is to be clicked in the panels")}); }
-  void ReadPrint() { steps_.emplace_back(PrintState{}); }
+  void ReadScreenshot() { Add(Screenshot{RestOfLine("the name of an image file")}); }
+  void ReadPanel() { Add(ClickPanel{RestOfLine("what is to be clicked in the panels")}); }
+  void ReadPrint() { Add(PrintState{}); }
 
-  void Add(Event event) { steps_.emplace_back(std::move(event)); }
+  void Add(decltype(ScriptStep::what) what) { steps_.push_back({std::move(what), line_}); }
 
   Token Word(const std::string& what) {
     const auto& next = tokens_.Peek();

@@ -8,7 +8,8 @@
 #include "source/parse/Text.h"
 
 /// The events of a viewer as text, written by people or recorded. One step per line; # starts a comment,
-/// except in the rest of a line that is text or a name.
+/// except in the rest of a line that is text or a name. A step that does nothing is an error: a key without a function,
+/// text outside of a field, a click in the panels that changes nothing or outside of the drawing, a wait for no image.
 ///
 ///     key Control+S              pressed and released
 ///     press W / release W
@@ -53,10 +54,13 @@ struct ClickPanel {
 };
 struct PrintState {};
 
-using ScriptStep = std::variant<Event, Origin, WaitForTrace, WaitForImage, WaitForRows, WaitSeconds, Screenshot,
-                                ClickPanel, PrintState>;
+struct ScriptStep {
+  std::variant<Event, Origin, WaitForTrace, WaitForImage, WaitForRows, WaitSeconds, Screenshot, ClickPanel, PrintState>
+      what;
+  Token word{};  // the first of its line
+};
 
-/// Throws SceneErrors that point at each mistake.
+/// Reads a script, which must outlive its steps. Throws SceneErrors that point at each mistake.
 std::vector<ScriptStep> ReadEventScript(const Text& text);
 
 /// An event as lines of a script, each with its end. None for a window without a size, as one that is minimized has.

@@ -1,6 +1,7 @@
 #include "source/view/Viewer.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "source/view/KeyBindings.h"
@@ -22,8 +23,16 @@ Viewer::Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene
 
 namespace {
 
+/// Returns null if the key is not bound.
+const KeyBinding* FindBinding(const KeyEvent& event) {
+  const auto found = std::ranges::find_if(KeyBindings(), [&](const KeyBinding& binding) {
+    return binding.key == event.key && binding.modifiers == event.modifiers;
+  });
+  return found == KeyBindings().end() ? nullptr : &*found;
+}
+
 bool IsAction(const Event& event) {
-  if (const auto* key = std::get_if<KeyEvent>(&event)) return key->is_pressed;
+  if (const auto* key = std::get_if<KeyEvent>(&event)) return key->is_pressed && FindBinding(*key);
   if (const auto* button = std::get_if<ButtonEvent>(&event)) return button->is_pressed;
   return std::holds_alternative<DropEvent>(event) || std::holds_alternative<CloseEvent>(event);
 }
@@ -37,7 +46,7 @@ Kind InView(Kind event, double bottom) {
 
 }  // namespace
 
-void Viewer::Handle(const Event& event) {
+bool Viewer::Handle(const Event& event) {
   if (IsAction(event)) state_.notices.CountAction();
   if (state_.settings.shows_bar && std::holds_alternative<MoveEvent>(event)) state_.notices.Redraw();
   if (state_.shows.panels || state_.shows.help) {
@@ -47,30 +56,42 @@ void Viewer::Handle(const Event& event) {
     const bool is_let_go = button && !button->is_pressed;
     if (is_let_go) state_.editor.DoHeld();
     // Whatever panels came up since the press: a drag that nobody ends would go on for ever.
-    if (is_taken && !(is_let_go && pointer_.IsHeldBy(button->button))) return;
+    if (is_taken && !(is_let_go && pointer_.IsHeldBy(button->button))) return true;
   }
   // From here on positions are those in the view.
-  std::visit([this](const auto& e) { On(InView(e, state_.layout().bottom)); }, event);
+  const bool is_used = std::visit(
+      [this]<typename Kind>(const Kind& e) {
+        if constexpr (std::is_same_v<Kind, KeyEvent> || std::is_same_v<Kind, TextEvent>) return On(e);
+        On(InView(e, state_.layout().bottom));
+        return true;
+      },
+      event);
   state_.navigator.SetSize(state_.layout().view);
+  return is_used;
 }
 
-void Viewer::On(const KeyEvent& event) {
-  if (state_.navigator.HoldKey(event)) return pointer_.TakeNoClick();
+bool Viewer::On(const KeyEvent& event) {
+  if (state_.navigator.HoldKey(event)) {
+    pointer_.TakeNoClick();
+    return true;
+  }
   if (!event.is_pressed) {
-    // Whatever other keys are held by now.
-    for (const KeyBinding& binding : KeyBindings())
-      if (binding.key == event.key && binding.release) binding.release(state_);
-    return;
+    bool is_bound = false;
+    for (const KeyBinding& binding : KeyBindings()) {
+      if (binding.key != event.key) continue;  // whatever other keys are held by now
+      is_bound = true;
+      if (binding.release) binding.release(state_);
+    }
+    return is_bound;
   }
-  for (const KeyBinding& binding : KeyBindings()) {
-    if (binding.key != event.key || binding.modifiers != event.modifiers) continue;
-    const std::string before = state_.notices.TakeMessage();
-    binding.act(state_);
-    // What was seen last is what is saved, of the end and of a screenshot.
-    if (state_.is_closed || state_.notices.Message().empty()) state_.notices.PutBack(before);
-    state_.notices.Redraw();
-    return;
-  }
+  const KeyBinding* const binding = FindBinding(event);
+  if (!binding) return false;
+  const std::string before = state_.notices.TakeMessage();
+  binding->act(state_);
+  // What was seen last is what is saved, of the end and of a screenshot.
+  if (state_.is_closed || state_.notices.Message().empty()) state_.notices.PutBack(before);
+  state_.notices.Redraw();
+  return true;
 }
 
 void Viewer::On(const ResizeEvent& event) {
@@ -152,7 +173,9 @@ FrameState Viewer::Show() {
 
 std::string Viewer::Title() const { return TitleOf(state_); }
 
-std::string Viewer::Describe() { return DescribeState(state_); }
+std::string Viewer::Describe() { return DescribeWithoutPanels() + TextOfPanels(); }
+
+std::string Viewer::DescribeWithoutPanels() { return DescribeState(state_); }
 
 std::string Viewer::TextOfPanels() { return ray::TextOfPanels(state_); }
 

@@ -22,7 +22,8 @@ class Viewer {
   /// `scene`: read from the settings' file. The host must outlive it.
   Viewer(ViewerSettings settings, std::shared_ptr<const LoadedScene> scene, ViewerHost& host);
 
-  void Handle(const Event& event);
+  /// Returns false if the event is a key that is not bound, or text outside of a field, and so does nothing.
+  bool Handle(const Event& event);
   /// Starts and ends what is due. Returns whether Show would return something else than the last time.
   bool Update();
   /// Valid until the next call of Handle or Update.
@@ -38,6 +39,8 @@ class Viewer {
   std::string Title() const;
   /// Returns a description of what is shown, in lines, for scripts.
   std::string Describe();
+  /// Returns the same description without the text of the panels, which would change how far they are scrolled.
+  std::string DescribeWithoutPanels();
   /// Returns the text of the panels and the help, in lines; empty if they are hidden.
   std::string TextOfPanels();
   /// Scrolls what has a name that begins so into view in the panels.
@@ -68,8 +71,8 @@ class Viewer {
   DrawingSize Size() const { return state_.screen.size; }
 
  private:
-  void On(const KeyEvent& event);
-  void On(const TextEvent&) {}
+  bool On(const KeyEvent& event);
+  static bool On(const TextEvent&) { return false; }
   void On(const ButtonEvent& event) { pointer_.On(event, state_); }
   void On(const MoveEvent& event) { pointer_.On(event, state_); }
   void On(const ScrollEvent& event) { pointer_.On(event, state_); }

@@ -1,10 +1,12 @@
 #include "source/app/rayview/ViewSession.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <span>
@@ -47,9 +49,9 @@ std::span<const unsigned char> BytesOf(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
 }
 
-std::vector<ScriptStep> ReadScript(const std::string& name) {
-  if (name == "-") return ReadEventScript({"standard input", AllOf(std::cin)});
-  return ReadEventScript({name, Contents(name)});
+Text ReadScript(const std::string& name) {
+  if (name == "-") return {"standard input", AllOf(std::cin)};
+  return {name, Contents(name)};
 }
 
 std::string NameOfFile(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -119,6 +121,25 @@ ViewerSettings WithLook(ViewerSettings settings, const PanelSettings& look) {
 
 /// Returns true if the option affects only the image of a view at rest.
 bool IsOfBudget(const std::string& option) { return FindOption(Program::rayview, option)->facts.Has(Fact::budget); }
+
+using PanelTriangle = std::array<PanelDrawing::Corner, 3>;
+
+/// Returns the visible triangles of panels, sorted. Panels also draw the item with the focus, even out of view.
+std::vector<PanelTriangle> VisibleTriangles(const PanelDrawing& panels) {
+  std::vector<PanelTriangle> visible;
+  for (const PanelDrawing::Part& part : panels.parts)
+    for (std::size_t i = part.first; i < part.first + part.count; i += 3) {
+      const auto corner = [&](std::size_t k) { return panels.corners[panels.indices[i + k]]; };
+      const PanelTriangle t{corner(0), corner(1), corner(2)};
+      const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
+      const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
+      if (left < static_cast<float>(part.right) && right > static_cast<float>(part.left) &&
+          top < static_cast<float>(part.bottom) && bottom > static_cast<float>(part.top))
+        visible.push_back(t);
+    }
+  std::ranges::sort(visible, std::less());
+  return visible;
+}
 
 /// Records events as a script that repeats them. Times between events are added up.
 class Recorder {
@@ -322,12 +343,17 @@ class Session : public ViewerHost {
     return event;
   }
 
-  void Happen(const Event& event) {
-    recorder_.Keep(Flipped(event));
-    viewer_.Handle(event);
+  /// Returns false if the event does nothing; it is not recorded then.
+  bool Happen(const Event& event) {
+    const Event recorded = Flipped(event);
+    const bool is_used = viewer_.Handle(event);
+    if (is_used) recorder_.Keep(recorded);
     if (!IsLookedAt(options_.view)) viewer_.WaitForScene();  // the next step of a script is for the scene read
-    if (!wants_drawing_) return;
-    wants_drawing_ = false;
+    if (std::exchange(wants_drawing_, false)) SaveScreenshot();
+    return is_used;
+  }
+  /// Saves the drawing under a free name, and shows that name.
+  void SaveScreenshot() {
     Draw();
     viewer_.ShowMessage(Attempt([&] {
       // JPEG degrades letters and lines.
@@ -386,33 +412,68 @@ class Session : public ViewerHost {
     }
   }
 
-  void Follow(const std::vector<ScriptStep>& steps) {
-    for (const ScriptStep& step : steps) {
-      if (viewer_.IsClosed() || StopSignal() != 0) return;
-      if (const auto* event = std::get_if<Event>(&step)) {
-        Happen(y_is_from_bottom_ ? *event : Flipped(*event));
-        DrawNewsInWindow();
-      } else if (const auto* origin = std::get_if<Origin>(&step)) {
-        y_is_from_bottom_ = origin->is_bottom;
-      } else if (std::holds_alternative<WaitForTrace>(step)) {
-        WaitUntilIdle();
-      } else if (std::holds_alternative<WaitForImage>(step)) {
-        ShowWholeImage();
-      } else if (const auto* rows = std::get_if<WaitForRows>(&step)) {
-        while (viewer_.Traced().IsTracing() && viewer_.Traced().Trace()->RowsDone() < rows->rows && StopSignal() == 0)
-          Pause();
-      } else if (const auto* wait = std::get_if<WaitSeconds>(&step)) {
-        for (const auto start = Clock::now(); SecondsSince(start) < wait->seconds && StopSignal() == 0;) Pause();
-      } else if (const auto* screenshot = std::get_if<Screenshot>(&step)) {
-        Draw();
-        ray::SaveDrawing(CheckImageOutput(screenshot->file, FilesRead()), painter_.canvas.Read(), options_.encoding);
-      } else if (const auto* panel = std::get_if<ClickPanel>(&step)) {
-        Click(*panel);
-      } else {
-        viewer_.Update();
-        Print(viewer_.Describe());
+  /// Reports the steps that do nothing, and continues.
+  void Follow(const Text& script) {
+    std::size_t closing_line = 0, reported_line = 0;  // a line may be several steps
+    for (const ScriptStep& step : ReadEventScript(script)) {
+      if (StopSignal() != 0) return;
+      const bool is_late = viewer_.IsClosed() && step.word.line != closing_line;
+      if (!viewer_.IsClosed()) closing_line = step.word.line;
+      const std::string problem = is_late ? "the viewer was closed before this step" : Do(step);
+      if (!problem.empty() && std::exchange(reported_line, step.word.line) != step.word.line) {
+        status_ = status::failed;
+        PrintError(ErrorAt(script, step.word, problem).Format());
       }
+      if (is_late) return;
     }
+  }
+  /// Carries out a step. Returns the reason if it does nothing, or an empty text.
+  std::string Do(const ScriptStep& step) {
+    if (const auto* event = std::get_if<Event>(&step.what)) return Do(y_is_from_bottom_ ? *event : Flipped(*event));
+    if (const auto* panel = std::get_if<ClickPanel>(&step.what)) return Click(*panel);
+    if (const auto* rows = std::get_if<WaitForRows>(&step.what)) return WaitFor(*rows);
+    if (const auto* origin = std::get_if<Origin>(&step.what)) {
+      y_is_from_bottom_ = origin->is_bottom;
+    } else if (std::holds_alternative<WaitForTrace>(step.what)) {
+      WaitUntilIdle();
+      if (!viewer_.Traced().Job()) return "no image is being rendered";
+    } else if (std::holds_alternative<WaitForImage>(step.what)) {
+      ShowWholeImage();
+    } else if (const auto* wait = std::get_if<WaitSeconds>(&step.what)) {
+      for (const auto start = Clock::now(); SecondsSince(start) < wait->seconds && StopSignal() == 0;) Pause();
+    } else if (const auto* screenshot = std::get_if<Screenshot>(&step.what)) {
+      Draw();
+      ray::SaveDrawing(CheckImageOutput(screenshot->file, FilesRead()), painter_.canvas.Read(), options_.encoding);
+    } else {
+      viewer_.Update();
+      Print(viewer_.Describe());
+    }
+    return {};
+  }
+  std::string Do(const Event& event) {
+    const auto* drop = std::get_if<DropEvent>(&event);
+    if (std::error_code error; drop && !std::filesystem::exists(drop->file, error)) return "no such file";
+    const auto* button = std::get_if<ButtonEvent>(&event);
+    const auto* scroll = std::get_if<ScrollEvent>(&event);
+    if ((button && button->is_pressed && !IsInDrawing(button->x, button->y)) ||
+        (scroll && !IsInDrawing(scroll->x, scroll->y)))
+      return "this is outside of the drawing, which has " + std::to_string(viewer_.Size().width) + " x " +
+             std::to_string(viewer_.Size().height) + " pixels";
+    const bool is_used = Happen(event);
+    DrawNewsInWindow();
+    if (is_used) return {};
+    const auto* key = std::get_if<KeyEvent>(&event);
+    return key ? "key " + NameOf(key->key, key->modifiers) + " has no function" : "no field takes text";
+  }
+  bool IsInDrawing(double x, double y) const {
+    return x >= 0 && y >= 0 && x <= viewer_.Size().width && y <= viewer_.Size().height;
+  }
+  std::string WaitFor(const WaitForRows& rows) {
+    const RenderJob* const trace = viewer_.Traced().Trace();
+    if (!trace) return "no image is being rendered";
+    while (viewer_.Traced().IsTracing() && trace->RowsDone() < rows.rows && StopSignal() == 0) Pause();
+    if (trace->RowsDone() >= rows.rows) return {};
+    return "the render ended after " + std::to_string(trace->RowsDone()) + " rows";
   }
   /// `ticks`: time passes, as it does for a user who looks on.
   void WaitUntilIdle(bool ticks = true) {
@@ -437,20 +498,23 @@ class Session : public ViewerHost {
     return files;
   }
 
-  void Click(const ClickPanel& panel) {
+  std::string Click(const ClickPanel& panel) {
     viewer_.Show();  // updates positions
     viewer_.Reveal(panel.name);
     const auto& items = viewer_.ItemsOfPanels();
     const auto item = std::ranges::find_if(items, [&](const PanelItem& i) { return i.name.starts_with(panel.name); });
-    if (item == items.end()) {
-      status_ = status::failed;
-      return PrintError("rayview: the panels show no " + Quoted(panel.name));
-    }
+    if (item == items.end()) return "the panels show no " + Quoted(panel.name);
     const double x = item->x, y = item->y;
     recorder_.Keep(panel);
+    viewer_.Handle(MoveEvent{x, y});  // the item under the pointer lights up without a click
+    const auto drawn = VisibleTriangles(*viewer_.Show().panels);
+    const std::string described = viewer_.DescribeWithoutPanels();
     viewer_.Handle(ButtonEvent{Button::left, true, x, y, {}});
     viewer_.Handle(ButtonEvent{Button::left, false, x, y, {}});
     DrawNewsInWindow();
+    const auto now = viewer_.Show().panels;
+    if (viewer_.DescribeWithoutPanels() != described || !now || VisibleTriangles(*now) != drawn) return {};
+    return "a click on " + Quoted(panel.name) + " changes nothing";
   }
   void DrawNewsInWindow() {
     const bool has_news = viewer_.Update();

@@ -30,7 +30,7 @@ R3::Box BoxOfDrawing(const ViewerState& viewer);
 
 /// "hello.scn 512x512 4 of 16 samples 31 % 0.5 Mrays/s 12 s left"
 std::string TitleOf(const ViewerState& viewer);
-/// Describes what is shown, in lines, for scripts.
+/// Describes what is shown, without the panels, in lines, for scripts.
 std::string DescribeState(ViewerState& viewer);
 /// Returns the text of the panels and the help, in lines; empty if they are hidden.
 std::string TextOfPanels(ViewerState& viewer);

@@ -66,7 +66,6 @@ std::string DescribeState(ViewerState& viewer) {
   line("message", viewer.notices.Message());
   line("edits", viewer.editor.Describe());
   line("panels", yes_or_no(viewer.shows.panels));
-  text += TextOfPanels(viewer);
   return text;
 }
 

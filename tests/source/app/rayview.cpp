@@ -398,6 +398,44 @@ TEST_F(Rayview, MistakesAreReported) {
   EXPECT_EQ(Run({Scene("hello.scn"), "-headless", "-reference", WriteFile(folder / "x.png", "no image")}).status, 3);
 }
 
+// A script that once made an image goes on making it, or says which of its steps the program no longer follows.
+TEST_F(Rayview, AStepThatDoesNothingIsAnError) {
+  const std::string panels = "resize 600 500\nkey Tab\n";
+  const struct {
+    std::string script, message;
+  } mistakes[] = {
+      {"key J\n", "key J has no function"},
+      {"key Control+Shift+B\n", "key Control+Shift+B has no function"},
+      {"key Tab\ntype 16\n", "no field takes text"},
+      {"panel Scene\n", "the panels show no 'Scene'"},
+      {panels + "panel no such item\n", "the panels show no 'no such item'"},
+      {panels + "panel light theme\n", "the panels show no 'light theme'"},
+      {panels + "panel View\npanel dark theme\n", "a click on 'dark theme' changes nothing"},
+      {"click left 96.5 10\n", "this is outside of the drawing, which has 96 x 64 pixels"},
+      {"scroll 1 10 65\n", "this is outside of the drawing"},
+      {"wait rows 4\n", "no image is being rendered"},
+      {"wait trace\n", "no image is being rendered"},
+      {"key S\nwait rows 65\n", "the render ended after 64 rows"},
+      {"drop none.scn\n", "no such file"},
+      {"close\nkey B\n", "the viewer was closed before this step"},
+  };
+  for (const auto& [script, message] : mistakes) {
+    const Finished viewed = Follow(Scene("hello.scn"), script, {"-image", folder / "view.ppm", "-quiet"});
+    EXPECT_EQ(viewed.status, 1) << script;
+    const auto line = 1 + std::ranges::count(script, '\n');  // the first is that of the origin
+    EXPECT_TRUE(testing::Has(viewed.error, "script.events:" + std::to_string(line) + ":1: error: " + message))
+        << script << viewed.error;
+    const std::string good = script.substr(0, script.rfind('\n', script.size() - 2) + 1);
+    EXPECT_EQ(Follow(Scene("hello.scn"), good, {"-image", folder / "view.ppm", "-quiet"}).status, 0) << good;
+  }
+}
+
+TEST_F(Rayview, ARecordingHasOnlyWhatDidSomething) {
+  const std::string recorded = folder / "recorded.events";
+  EXPECT_EQ(Follow(Scene("hello.scn"), "key J\ntype x\nkey B\n", {"-record", recorded}).status, 1);
+  EXPECT_EQ(ReadFile(recorded), "press B\nrelease B\n");
+}
+
 /// The window itself, for tests that need more than a script of events.
 class RayviewWindow : public Rayview {
  protected:

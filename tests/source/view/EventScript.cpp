@@ -11,7 +11,7 @@ std::vector<ScriptStep> Read(const std::string& text) { return ReadEventScript({
 std::string Written(const std::vector<ScriptStep>& steps) {
   std::string text;
   for (const ScriptStep& step : steps)
-    if (const auto* event = std::get_if<Event>(&step)) text += ScriptLine(*event);
+    if (const auto* event = std::get_if<Event>(&step.what)) text += ScriptLine(*event);
   return text;
 }
 
@@ -62,11 +62,11 @@ TEST(EventScript, ShortStepsStandForSeveralEvents) {
 TEST(EventScript, WaitsAndImagesAreSteps) {
   const auto steps = Read("wait trace  # until it is there\nwait 0.5\nscreenshot my picture.png\nprint\nwait rows 7");
   ASSERT_EQ(steps.size(), 5u);
-  EXPECT_EQ(std::get<WaitForRows>(steps[4]).rows, 7);
-  EXPECT_TRUE(std::holds_alternative<WaitForTrace>(steps[0]));
-  EXPECT_EQ(std::get<WaitSeconds>(steps[1]).seconds, 0.5);
-  EXPECT_EQ(std::get<Screenshot>(steps[2]).file, "my picture.png");
-  EXPECT_TRUE(std::holds_alternative<PrintState>(steps[3]));
+  EXPECT_EQ(std::get<WaitForRows>(steps[4].what).rows, 7);
+  EXPECT_TRUE(std::holds_alternative<WaitForTrace>(steps[0].what));
+  EXPECT_EQ(std::get<WaitSeconds>(steps[1].what).seconds, 0.5);
+  EXPECT_EQ(std::get<Screenshot>(steps[2].what).file, "my picture.png");
+  EXPECT_TRUE(std::holds_alternative<PrintState>(steps[3].what));
 }
 
 TEST(EventScript, MistakesAreShownInTheirPlace) {

@@ -55,7 +55,7 @@ class SlowScenes : public ViewerTest {
   /// Handles events as they come, as a window does; a script waits for each scene.
   void Happen(const std::string& script) {
     for (const ScriptStep& step : ReadEventScript({"test", script}))
-      if (const auto* event = std::get_if<Event>(&step)) viewer_->Handle(*event), viewer_->Update();
+      if (const auto* event = std::get_if<Event>(&step.what)) viewer_->Handle(*event), viewer_->Update();
   }
   void Drop(const char* name) { Happen("drop " + (folder_ / name).string()); }
   bool IsSeen(const std::string& words) const {

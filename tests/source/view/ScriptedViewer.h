@@ -40,10 +40,10 @@ class ScriptedViewer : public ::testing::Test {
   /// Steps of a script, but for images and prints.
   void Do(const std::string& script) {
     for (const ScriptStep& step : ReadEventScript({"test", script})) {
-      if (const auto* event = std::get_if<Event>(&step)) viewer_->Handle(*event);
+      if (const auto* event = std::get_if<Event>(&step.what)) viewer_->Handle(*event);
       viewer_->WaitForScene();
       viewer_->Update();
-      if (std::holds_alternative<WaitForTrace>(step)) WaitUntilIdle();
+      if (std::holds_alternative<WaitForTrace>(step.what)) WaitUntilIdle();
     }
   }
   void WaitUntilIdle() {

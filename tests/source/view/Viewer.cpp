@@ -259,7 +259,7 @@ TEST_F(ViewerTest, BookmarksOfTwoWindowsAreAllKept) {
   const auto one = std::move(viewer_);
   Open(folder / "hello.scn");
   Do("key ]\nkey Control+2");
-  for (const ScriptStep& step : ReadEventScript({"test", "key Control+1"})) one->Handle(std::get<Event>(step));
+  for (const ScriptStep& step : ReadEventScript({"test", "key Control+1"})) one->Handle(std::get<Event>(step.what));
   Open(folder / "hello.scn");
   Do("key 1");
   EXPECT_TRUE(IsCameraOf(first));
