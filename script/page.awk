@@ -42,7 +42,7 @@ FILENAME ~ /pictures\.txt$/ {
 /^@pictures / {
   shown = 0
   for (i = 1; i <= count; ++i) shown += section[order[i]] == $2
-  put("<div class=\"pictures" (shown == 1 ? " single" : "") "\">")
+  put("<div class=\"pictures" (shown == 1 ? " single" : shown == 5 ? " five" : "") "\">")
   for (i = 1; i <= count; ++i) if (section[order[i]] == $2) show(order[i])
   put("</div>")
   next

@@ -30,7 +30,7 @@ for size in ${SIZES:-1280x800 3840x2160}; do
   middle="$((${size%x*} / 3)) $((${size#*x} / 2))"
   for theme in dark light; do
     echo "tick 6" | shot $theme $size start
-    for panel in Scene Pixel Edit Display Image Settings Layers Statistics Accelerators Look; do
+    for panel in Scene Image Pixel Render View; do
       # What is open at first is closed, so that the panel has all of the column.
       { echo "click left $middle"; echo "click right $middle"; echo "tick 6"
         for open in Scene Pixel; do [ $open = $panel ] || echo "panel $open"; done

@@ -53,12 +53,9 @@ if (navigator.clipboard)
     command.append(button);
   }
 
-// On a phone, and on a page of more than 6,000 pixels, every section but the first is folded to its heading; a link to it, or
-// a click, opens it.
+// On a phone, every section but the first is folded to its heading; a link to it, or a click, opens it.
 const isNarrow = matchMedia("(max-width: 45rem)");
-const longest = 6000; // pixels
-const isLong = document.documentElement.scrollHeight > longest;
-const mayFold = () => document.body.classList.toggle("foldable", isNarrow.matches || isLong);
+const mayFold = () => document.body.classList.toggle("foldable", isNarrow.matches);
 isNarrow.addEventListener("change", mayFold);
 mayFold();
 const sections = [...document.querySelectorAll("main > section[id]")];
