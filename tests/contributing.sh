@@ -21,7 +21,7 @@ block_after() {
 
 # What is built already is not built again: only what knows of shapes.
 mkdir -p "$copy/tree/$build"
-cp -a Makefile make R1 R2 R3 source grader page script scenes "$copy/tree"
+cp -a Makefile make R1 R2 R3 source grader rayimg page script scenes "$copy/tree"
 cp -a "$build/obj" "$build/jumbo" "$build/flags" "$build/features" "$copy/tree/$build"
 block_after '`R3/shapes/ring.cpp`:' > "$copy/tree/R3/shapes/ring.cpp"
 sed -n 's/^    \(SHAPE(.*)\)$/\1/p' "$page" >> "$copy/tree/R3/shapes.def"
