@@ -6,7 +6,7 @@ set -eu
 cd "${1:-$(dirname "$0")/..}"
 
 # Shaders, in source/draw/gl, call functions of the same names.
-find R1 R2 R3 source grader page -type f \( -name '*.h' -o -name '*.cpp' \) ! -path 'source/draw/gl/*' | LC_ALL=C sort | xargs awk '
+find R1 R2 R3 source grader rayimg page -type f \( -name '*.h' -o -name '*.cpp' \) ! -path 'source/draw/gl/*' | LC_ALL=C sort | xargs awk '
   BEGIN {
     name = "(sin|cos|sincos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh|exp|exp2|exp10|expm1|log|log2|log10|" \
            "log1p|pow|cbrt|hypot|erf|erfc|tgamma|lgamma|lgamma_r)[fl]?"

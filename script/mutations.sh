@@ -64,7 +64,7 @@ trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 tree=$work/tree
 mkdir -p "$tree"
-cp -a Makefile make R1 R2 R3 source grader page tests script scenes writeup docs README.md "$tree"
+cp -a Makefile make R1 R2 R3 source grader rayimg page tests script scenes writeup docs README.md "$tree"
 build() {  # quietly; what it says is kept
   make -C "$tree" CXX="${CXX:-g++}" CXXFLAGS="${CXXFLAGS:-}" CONTEXTS= test-binary TEST_SOURCES="$(cd "$tree" && echo tests/Main.cpp $tests)" \
     < /dev/null > "$work/build.txt" 2>&1
