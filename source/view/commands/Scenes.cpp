@@ -153,10 +153,13 @@ void ShowProblems(ViewerState& viewer, const std::string& file, const std::excep
 }
 
 void OpenScene(ViewerState& viewer, const std::string& file) {
-  if (!IsNoScene(file) && !viewer.editor.MayLose("open " + file)) return;
+  const bool is_no_scene = IsNoScene(file);
+  if (is_no_scene && viewer.reader.IsBusy()) return viewer.notices.Show("wait: " + viewer.reader.Describe());
+  if (!is_no_scene && !viewer.editor.MayLose("open " + file)) return;
   ParseOptions unedited = viewer.settings.parse;
   unedited.edited.reset();
-  const auto show = [&viewer, file](std::shared_ptr<const LoadedScene> scene) {
+  const auto show = [&viewer, file, is_no_scene](std::shared_ptr<const LoadedScene> scene) {
+    if (is_no_scene && !viewer.editor.MayLose("open " + file)) return;  // it was one after all
     TakeSettings(viewer, scene->parsed.scene);
     viewer.settings.scene = file;
     viewer.settings.parse.edited.reset();
