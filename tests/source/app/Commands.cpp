@@ -145,13 +145,13 @@ struct Recorded {
 /// Returns "K1_K2_FilesOutsideAreRefused" for "# K1, K2: Files outside are refused, and ...", and nothing for a comment
 /// that does not begin with cases.
 std::string TestOf(const std::string& comment) {
-  static const std::regex cases_and_sentence("# ((?:[A-M][0-9]+(?:, |: ))+)([A-Za-z' ]+)");
+  static const std::regex cases_and_sentence("# ((?:[A-M][0-9]+(?:, |: ))+)([A-Za-z' -]+)");
   std::smatch found;
   if (!std::regex_search(comment, found, cases_and_sentence, std::regex_constants::match_continuous)) return {};
   std::string name = std::regex_replace(found[1].str(), std::regex("(, |: )"), "_");
   std::istringstream words(found[2]);
   for (std::string word; words >> word;) {
-    std::erase(word, '\'');
+    std::erase_if(word, [](char c) { return c == '\'' || c == '-'; });
     name += static_cast<char>(std::toupper(word[0]));
     name += word.substr(1);
   }
