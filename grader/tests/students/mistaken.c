@@ -26,7 +26,7 @@
   _(saturated) _(red_lost) _(no_light_two) _(normals_face_light) _(specular_white) _(one_and_a_half) \
   _(mirror_adds_twice) _(tinted_glass_lost) _(fog) _(noise) _(ambient_doubled) _(diffuse_by_ks)
 #define LIBERTIES(_) _(nearest_texel) _(srgb) _(gamma22) _(four_samples) _(sixteen_samples) _(random_samples) \
-  _(rounded) _(other_epsilon) _(corner_rays)
+  _(rounded) _(other_epsilon) _(lower_left) _(lower_right) _(upper_left) _(upper_right)
 #define NAME(x) x,
 enum Word { MISTAKES(NAME) LIBERTIES(NAME) word_count };
 #define TEXT(x) #x,
@@ -493,7 +493,10 @@ int main(int argc, char** argv) {
         F oy = ((F)(i / side) + (has[random_samples] ? random01() : 0.5f)) / (F)side;
         F a, b;
         P d, one;
-        if (has[corner_rays]) ox = oy = 0;
+        if (has[lower_left] || has[upper_left]) ox = 0;
+        if (has[lower_right] || has[upper_right]) ox = 1;
+        if (has[lower_left] || has[lower_right]) oy = 0;
+        if (has[upper_left] || has[upper_right]) oy = 1;
         if (has[pixel_shift]) ox += 1;
         a = 2 * ((F)x + ox) / (F)(has[pixels_less_one] ? w - 1 : w) - 1;
         b = 2 * ((F)y + oy) / (F)(has[pixels_less_one] ? h - 1 : h) - 1;
