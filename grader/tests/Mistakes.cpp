@@ -158,11 +158,13 @@ TEST(Mistakes, RaysThroughCornersAreNoMistake) {
     R2::Vector& shift = variant.OwnScene().camera.shift;
     shift = {shift.x + right / variant.settings.width, shift.y + up / variant.settings.width};
   };
-  const grade::Mistake corners[]{
-      {.name = "lower left", .make = [](grade::Variant& v) { shifted_by(v, -1, -1); }},
-      {.name = "lower right", .make = [](grade::Variant& v) { shifted_by(v, 1, -1); }},
-      {.name = "upper left", .make = [](grade::Variant& v) { shifted_by(v, -1, 1); }},
-      {.name = "upper right", .make = [](grade::Variant& v) { shifted_by(v, 1, 1); }}};
+  const auto corner_of = [](const char* name, void (*make)(grade::Variant&)) {
+    return grade::Mistake{.name = name, .title = "", .expected = "", .hint = "", .make = make};
+  };
+  const grade::Mistake corners[]{corner_of("lower left", [](grade::Variant& v) { shifted_by(v, -1, -1); }),
+                                 corner_of("lower right", [](grade::Variant& v) { shifted_by(v, 1, -1); }),
+                                 corner_of("upper left", [](grade::Variant& v) { shifted_by(v, -1, 1); }),
+                                 corner_of("upper right", [](grade::Variant& v) { shifted_by(v, 1, 1); })};
   for (const grade::Mistake& corner : corners) {
     OneScene scene("cs315", "shadows");
     const auto student = scene.Images().With({&corner});
