@@ -142,6 +142,59 @@ void IgnoreNestedTransforms(Scene& scene) {
   FindBounds(scene.root);
 }
 
+void KeepInnermostTransforms(Scene& scene) {
+  std::vector<std::pair<Node*, R3::Matrix>> open{{&scene.root, {}}};
+  while (!open.empty()) {
+    auto [node, above] = open.back();
+    open.pop_back();
+    if (!IsIdentity(node->transform)) {
+      const R3::Matrix own = node->transform;
+      const auto placed = R3::Transform::Of(above);
+      if (placed) node->transform = Product(placed->Inverse(), own);
+      above = own;
+    }
+    for (Node& child : node->children) open.emplace_back(&child, above);
+  }
+  FindBounds(scene.root);
+}
+
+void ChangeInheritedMaterials(Scene& scene, const std::function<int(int last)>& material) {
+  struct Open {
+    Node* node;
+    bool inherits;  // a material of a group
+  };
+  int last = Node::inherit;
+  std::vector<Open> open{{&scene.root, false}};
+  while (!open.empty()) {
+    const auto [node, inherits] = open.back();
+    open.pop_back();
+    const bool has_own = node->material != Node::inherit;
+    if (has_own) last = node->material;
+    if (node->shape && !has_own && inherits) node->material = material(last);
+    for (auto child = node->children.rbegin(); child != node->children.rend(); ++child)
+      open.push_back({&*child, inherits || has_own});
+  }
+}
+
+void CountMaterialsFromOne(Scene& scene) {
+  constexpr int default_material = 0;
+  InOrder(scene.root, [](Node& node) {
+    if (node.material > default_material) --node.material;
+  });
+}
+
+void RemoveBacks(Scene& scene, const std::function<bool(const R3::Shape&)>& is_lost) {
+  constexpr std::size_t default_material = 0;
+  for (const Leaf& leaf : LeavesOf(scene.root)) {
+    if (!is_lost(*leaf.node->shape)) continue;
+    Material one_sided =
+        scene.materials[leaf.material == Node::inherit ? default_material : static_cast<std::size_t>(leaf.material)];
+    one_sided.one_sided = true;
+    leaf.node->material = static_cast<int>(scene.materials.size());
+    scene.materials.push_back(std::move(one_sided));
+  }
+}
+
 void PutPolesAlongY(Scene& scene) {
   for (Node* node : InOrder(scene.root, [](Node&) {})) {
     const auto sphere = node->shape ? node->shape->AsSphere() : std::nullopt;

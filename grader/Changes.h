@@ -35,6 +35,15 @@ void IgnoreNestedTransforms(Scene& scene);
 void PutPolesAlongY(Scene& scene);
 /// Applies `change` to the image of each texture.
 void ChangeTextures(Scene& scene, const std::function<R2::Image(const R2::Image&)>& change);
+/// Removes the transforms of groups around groups that have one.
+void KeepInnermostTransforms(Scene& scene);
+/// Gives each shape that inherits a group's material another one: `material` returns its number from the last number
+/// in the file before the shape, that of a group included.
+void ChangeInheritedMaterials(Scene& scene, const std::function<int(int last)>& material);
+/// Moves every material's number by one: the first becomes the default material.
+void CountMaterialsFromOne(Scene& scene);
+/// Removes the backs of the shapes for which `is_lost` returns true.
+void RemoveBacks(Scene& scene, const std::function<bool(const R3::Shape&)>& is_lost);
 /// Multiplies nested transforms in the wrong order: those of a child before those of its parent.
 void ReverseTransforms(Scene& scene);
 /// Removes the shapes for which `is_lost` returns true.

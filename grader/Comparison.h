@@ -26,13 +26,14 @@ struct Comparison {
 struct Submission {
   R2::Image image;                // mean of all runs, as displayed
   R2::Image cells;                // SceneImages::Cells of the image
-  // of each cell: that of the suite, plus those of noise and compression
+  // of each cell: that of the suite, plus the change within a pixel, noise, and losses of compression
   std::vector<double> tolerance;
 };
 
 /// Prepares a student's image.
-///   compressed   the reference after compression by the file's format; null for lossless formats
-Submission MakeSubmission(const std::vector<R2::Image>& runs, const R2::Image* compressed, const SceneImages& images);
+///   losses   of compression, by pixel or block; empty for lossless formats
+Submission MakeSubmission(const std::vector<R2::Image>& runs, const SceneImages& images,
+                          const std::vector<double>& losses = {});
 
 Comparison Compare(const Submission& student, const SceneImages& images);
 /// Compares a student's image with the expected one.

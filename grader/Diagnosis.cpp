@@ -29,6 +29,11 @@ bool Contains(const MistakeList& list, const Mistake* mistake) {
   return std::ranges::find(list, mistake) != list.end();
 }
 
+/// Returns true if mistakes change only the finished image. They may take its pixels apart, so that all are at edges.
+bool AreOfImage(const MistakeList& mistakes) {
+  return !mistakes.empty() && std::ranges::none_of(mistakes, [](const Mistake* mistake) { return mistake->make; });
+}
+
 class CauseSearch {
  public:
   explicit CauseSearch(std::span<const Exhibit> exhibits) : exhibits_(exhibits) {
@@ -98,7 +103,8 @@ class CauseSearch {
   std::optional<Fit> FitWith(std::size_t scene, const Hypothesis& hypothesis, Care care = Care::quick) const {
     SceneImages& images = *exhibits_[scene].images;
     const R2::Image image = ImageWith(images, hypothesis);
-    if (care == Care::quick || images.CellSide() > 1) return FitOf(exhibits_[scene], image);
+    if ((care == Care::quick && !AreOfImage(hypothesis.mistakes)) || images.CellSide() > 1)
+      return FitOf(exhibits_[scene], image);
     const std::vector<bool> steady = images.SteadyWith(hypothesis.mistakes);
     return FitOf(exhibits_[scene], image, &steady);
   }
@@ -214,7 +220,7 @@ class CauseSearch {
     SceneImages& images = *exhibits_[left.scene].images;
     const auto made = images.With({&mistake});
     if (!made) return false;
-    const Comparison changed = Compare(MakeSubmission({*made}, nullptr, images), images);
+    const Comparison changed = Compare(MakeSubmission({*made}, images), images);
     std::int64_t both = 0;
     for (std::size_t i = 0; i < left.differs.size(); ++i) both += left.differs[i] && changed.differs[i];
     return static_cast<double>(both) > enough * static_cast<double>(left.count);
@@ -286,7 +292,7 @@ class CauseSearch {
   }
   /// Returns true if the images of a scene with these causes differ visibly.
   static bool Changes(SceneImages& images, const Hypothesis& a, const Hypothesis& b) {
-    const Submission student = MakeSubmission({ImageWith(images, a)}, nullptr, images);
+    const Submission student = MakeSubmission({ImageWith(images, a)}, images);
     return Compare(student, images.Cells(ImageWith(images, b)), images).Percent() > images.scene().allowed;
   }
   /// Removes causes that explain nothing.
@@ -303,8 +309,12 @@ class CauseSearch {
   }
 
   /// Returns true if each cause explains the whole difference in every scene that it changes, and is required for that
-  /// in at least one.
-  bool IsEstablished(const Hypothesis& hypothesis) const {
+  /// in at least one. Programs make the same mistake in slightly different ways: if nearly all of the difference is
+  /// explained, one scene is enough.
+  bool IsEstablished(const Scored& best) const {
+    constexpr double nearly_all = 0.99;
+    const Hypothesis& hypothesis = best.hypothesis;
+    const bool is_nearly_whole = ShareOf(best) >= nearly_all;
     for (std::size_t i = 0; i < hypothesis.Size(); ++i) {
       const Hypothesis shorter = Without(hypothesis, i);
       int changed = 0, explained = 0;
@@ -320,7 +330,7 @@ class CauseSearch {
         ++explained;
         is_needed |= !fit_without || !IsWhole(scene, *fit_without);
       }
-      if (!is_needed || explained < changed) return false;
+      if (!is_needed || (explained < changed && !is_nearly_whole)) return false;
     }
     return true;
   }
@@ -336,7 +346,7 @@ class CauseSearch {
     using enum Diagnosis::Kind;
     const bool is_whole = best.hypothesis.Size() > 1 && best.cost == 0 &&
                           Score(best.hypothesis, 0, Care::strict).cost == 0;
-    const bool is_named = is_whole || IsEstablished(best.hypothesis);
+    const bool is_named = is_whole || IsEstablished(best);
     return Found(best, {}, is_named ? named : ShareOf(best) > most_of_it ? resembles : unknown);
   }
   Diagnosis Found(const Scored& best, std::vector<Hypothesis> alternatives, Diagnosis::Kind kind) const {
@@ -387,7 +397,7 @@ Diagnosis Diagnose(std::span<const Exhibit> exhibits) { return CauseSearch(exhib
 double PercentChanged(SceneImages& images, const MistakeList& mistakes) {
   const auto made = images.With(mistakes);
   if (!made) return 0;
-  return Compare(MakeSubmission({*made}, nullptr, images), images).Percent();
+  return Compare(MakeSubmission({*made}, images), images).Percent();
 }
 
 bool IsVisible(SceneImages& images, const MistakeList& mistakes) {

@@ -42,8 +42,18 @@ std::vector<std::string> HintsOf(const Hypothesis& causes) {
   return hints;
 }
 
-/// Returns true for rays through the corners of pixels, a convention as good as their middles, which costs no points.
-bool IsHalfAPixel(const Hypothesis& causes) { return causes.Names() == "half_a_pixel"; }
+/// Returns the losses of right programs that write JPEG, by pixel or block, wherever in pixels their samples are.
+std::vector<double> LossesOfJpeg(const SceneImages& images, Encoding encoding) {
+  const auto losses_of = [&](const R2::Image& image) {
+    return LossesOf(images.Cells(Decoded(AsJpeg(Encoded(image, encoding)), encoding)), images.Cells(image));
+  };
+  std::vector<double> losses = losses_of(images.Reference());
+  for (const R2::Image& corner : images.Corners()) {
+    const std::vector<double> others = losses_of(corner);
+    std::ranges::transform(losses, others, losses.begin(), [](double a, double b) { return std::max(a, b); });
+  }
+  return losses;
+}
 
 /// Returns a sentence about acne, if there is any.
 std::optional<std::string> AcneRemark(double percent) {
@@ -67,12 +77,7 @@ void ApplyTo(SceneResult& result, const Exhibit& exhibit, const Diagnosis& diagn
     result.remarks.push_back(*acne);
     result.note = "acne";
   }
-  if (is_named && diagnosis.explains[i] && IsHalfAPixel(diagnosis.shown[i])) {
-    result.outcome = Outcome::right;
-    result.note = "half a pixel";
-    result.headline = "The image is right, shifted by half a pixel.";
-    result.worst_x = result.worst_y = -1;
-  } else if (is_named && diagnosis.explains[i] && diagnosis.shown[i].Size() > 0) {
+  if (is_named && diagnosis.explains[i] && diagnosis.shown[i].Size() > 0) {
     result.outcome = Outcome::known_mistake;
     result.mistakes = diagnosis.shown[i].Names();
     result.explained = diagnosis.share;
@@ -119,11 +124,6 @@ StudentVerdict VerdictOf(std::span<const Exhibit> exhibits, const Diagnosis& dia
       verdict.headline = is_right ? "All images are right." : "The only difference is shadow acne.";
       return verdict;
     case Diagnosis::Kind::named: {
-      if (IsHalfAPixel(diagnosis.causes) && unexplained.empty()) {
-        verdict.headline = "All images are right, shifted by half a pixel.";
-        verdict.remarks = {"Rays go through the corners of pixels instead of their middles. This costs no points."};
-        return verdict;
-      }
       verdict.headline = "Cause: " + diagnosis.causes.Titles() + ".";
       verdict.mistakes = diagnosis.causes.Names();
       verdict.scenes = shown_by;
@@ -176,10 +176,8 @@ std::vector<Exhibit> ExhibitsOf(std::span<const HandedIn> handed_in, Encoding en
   for (const HandedIn& one : handed_in) {
     std::vector<R2::Image> runs;
     for (const R2::Image& run : one.runs) runs.push_back(Decoded(run, encoding));
-    std::optional<R2::Image> compressed;  // the reference, by a program that encodes in the same way
-    if (one.is_jpeg) compressed = Decoded(AsJpeg(Encoded(one.images->Reference(), encoding)), encoding);
-    exhibits.push_back(
-        MakeExhibit(*one.images, MakeSubmission(runs, compressed ? &*compressed : nullptr, *one.images)));
+    const std::vector<double> losses = one.is_jpeg ? LossesOfJpeg(*one.images, encoding) : std::vector<double>();
+    exhibits.push_back(MakeExhibit(*one.images, MakeSubmission(runs, *one.images, losses)));
   }
   return exhibits;
 }

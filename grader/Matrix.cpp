@@ -13,7 +13,7 @@ namespace {
 bool LookAlike(std::vector<std::unique_ptr<SceneImages>>& scenes, const Hypothesis& a, const Hypothesis& b) {
   return std::ranges::all_of(scenes, [&](const auto& images) {
     const R2::Image first = ImageWith(*images, a), second = ImageWith(*images, b);
-    const Submission student = MakeSubmission({first}, nullptr, *images);
+    const Submission student = MakeSubmission({first}, *images);
     return Compare(student, images->Cells(second), *images).Percent() <= images->scene().allowed;
   });
 }

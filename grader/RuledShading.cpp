@@ -28,6 +28,11 @@ double LengthOfNormal(const Instance& instance, const R3::Transform& transform, 
   return (sphere ? sphere->radius : 1) / Length(local);
 }
 
+/// Returns the unit normal on the viewer's side.
+R3::Vector FacingViewer(const ShadingPoint& p, const R3::Vector& normal) {
+  return Unit(Dot(normal, p.wo) < 0 ? -normal : normal);
+}
+
 constexpr std::uint64_t first_key = 1000;  // of the random choices of each light
 
 }  // namespace
@@ -67,6 +72,18 @@ double RuledShading::FadingOf(std::size_t which, const R3::Vector& to_light) con
 }
 
 void RuledShading::Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const {
+  std::vector<CameraSample> moved;
+  if (rules_.behind_the_eye) {
+    // The smallest t, negative or not, is the first hit from behind the whole scene.
+    const R3::Box& bounds = world().scene().root.bounds;
+    for (CameraSample sample : samples) {
+      R3::Ray& ray = sample.ray;
+      const double back = Length(bounds.Center() - ray.origin) + bounds.Radius();
+      if (std::isfinite(back)) ray.origin = ray.At(-back / Length(ray.direction));
+      moved.push_back(sample);
+    }
+    samples = moved;
+  }
   Whitted::Li(samples, radiances, state);
   if (!rules_.camera_background) return;
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -98,10 +115,13 @@ void RuledShading::ApplyToNormal(ShadingPoint& p) const {
     case exact:
       return;
     case by_matrix:
-      p.N = Unit(transform.Forward() * local);
+      p.N = FacingViewer(p, transform.Forward() * local);
+      return;
+    case by_inverse:
+      p.N = FacingViewer(p, transform.Inverse() * local);
       return;
     case untransformed:
-      p.N = Unit(local);
+      p.N = FacingViewer(p, local);
       return;
     case inward:
       p.N = -outward;
@@ -112,6 +132,9 @@ void RuledShading::ApplyToNormal(ShadingPoint& p) const {
     case flat:
       p.N = p.Outward();
       p.is_smoothed = false;
+      return;
+    case stretched:
+      p.N = (1 / Length(local)) * p.N;
       return;
     case not_normalized:
       p.N = LengthOfNormal(instance, transform, p.N) * p.N;
@@ -173,15 +196,15 @@ double RuledShading::CosineOf(const ShadingPoint& p, const R3::Vector& L) const 
   return 0;
 }
 
-/// Returns true if an absolute cosine lets a light shine from the other side of a surface without an inside.
+/// Returns true if an absolute cosine lets a light shine from the other side of a surface.
 bool RuledShading::IsLitFromBehind(const ShadingPoint& p, const R3::Vector& L) const {
   const bool counts = rules_.cosine == ShadingRules::Cosine::absolute || rules_.highlight_behind;
-  return counts && Dot(p.N, L) < 0 && !p.is_met_again;
+  return counts && Dot(p.N, L) < 0;
 }
 
 R2::Color RuledShading::HighlightOf(const ShadingPoint& p, const R3::Vector& L) const {
-  if (!rules_.half_vector) return Highlight(p, L);
-  const double lobe = Dot(p.N, Unit(L + p.wo));
+  if (!rules_.half_vector && !rules_.highlight_opposite) return Highlight(p, L);
+  const double lobe = rules_.half_vector ? Dot(p.N, Unit(L + p.wo)) : -LobeCosine(p, L);
   return p.Mapped(p.material->ks * (lobe > 0 && !IsBlack(p.material->ks) ? R1::Pow(lobe, p.material->n) : 0));
 }
 

@@ -15,8 +15,9 @@
 namespace ray::grade {
 namespace {
 
-// Farther than the samples of programs that smooth edges with four rays, a quarter of a pixel to each side.
-constexpr R2::Vector shifts[]{{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
+// The corners of a pixel: a straight edge that crosses it separates one of them from its middle. So programs may put
+// their samples anywhere within it.
+constexpr R2::Vector shifts[]{{-0.5, -0.5}, {0.5, -0.5}, {-0.5, 0.5}, {0.5, 0.5}};
 
 /// Moves the camera slightly, so that the whole image moves by that many pixels.
 void Shift(Variant& variant, R2::Vector pixels) {
@@ -45,6 +46,23 @@ MistakeList BeforeRendering(const MistakeList& mistakes) {
   MistakeList made;
   std::ranges::copy_if(mistakes, std::back_inserter(made), [](const Mistake* mistake) { return mistake->make; });
   return made;
+}
+
+/// Returns the largest change of each pixel between its middle and its corners.
+std::vector<double> SpreadOf(const R2::Image& image, const std::vector<R2::Image>& corners) {
+  std::vector<double> spread;
+  for (int y = 0; y < image.Height(); ++y)
+    for (int x = 0; x < image.Width(); ++x) {
+      double& largest = spread.emplace_back(0);
+      for (const R2::Image& moved : corners)
+        largest = std::max(largest, LargestChannel(moved.At(x, y) - image.At(x, y)));
+    }
+  return spread;
+}
+
+/// Returns true if a blended normal points away from the viewer where the surface does not: some programs then flip it.
+bool FacesAwayBySmoothing(const R3::Intersection& at, const R3::Vector& direction) {
+  return Dot(at.normal, direction) * Dot(at.shading_normal, direction) < 0;
 }
 
 std::unique_ptr<const Accelerator> Accelerated(const World& world, const AcceleratorSettings& settings) {
@@ -77,7 +95,6 @@ SceneImages::SceneImages(const SuiteScene& scene, const std::string& file, const
   reference_ = *With({});
   RefuseIdleOptions(load);
   FindSteadyPixels();
-  FindSmoothing();
 }
 
 void SceneImages::RefuseIdleOptions(const Loader& load) {
@@ -102,28 +119,16 @@ void SceneImages::RefuseIdleOptions(const Loader& load) {
   }
 }
 
-// Programs that smooth edges take 4 samples, or 16, or more; two and a half times the change by 16 samples covers all
-// of them. Rays through the corners of pixels, which are a mistake, change a pixel at an edge by more than that.
-void SceneImages::FindSmoothing() {
-  constexpr int many_samples = 16;
-  constexpr double factor = 2.5;
-  smoothing_.assign(steady_.size(), 0.0);
-  if (scene_.runs > 1) return;
-  const R2::Image smooth = Shown(Light({}, {}, many_samples), {});
-  const int width = reference_.Width();
-  for (int y = 0; y < reference_.Height(); ++y)
-    for (int x = 0; x < width; ++x)
-      smoothing_[static_cast<std::size_t>(y * width + x)] =
-          factor * LargestChannel(smooth.At(x, y) - reference_.At(x, y));
-}
-
 SceneImages::~SceneImages() = default;
 
 void SceneImages::FindSteadyPixels() {
   const int width = reference_.Width(), height = reference_.Height();
   steady_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), true);
+  spread_.assign(steady_.size(), 0.0);
   if (scene_.runs > 1) return;  // blocks are compared, whose means an edge changes little
-  steady_ = SteadyWith({});
+  corners_ = CornersWith({});
+  spread_ = SpreadOf(reference_, corners_);
+  for (std::size_t i = 0; i < spread_.size(); ++i) steady_[i] = spread_[i] <= scene_.tolerance;
   const auto& [scene, settings, accelerator] = built_->scene;
   const Camera& camera = settings.view ? *settings.view : scene.camera;
   Workspace workspace;
@@ -131,7 +136,7 @@ void SceneImages::FindSteadyPixels() {
     for (int x = 0; x < width; ++x) {
       const auto ray = camera.RayThrough(x + 0.5, y + 0.5, width, height);
       const auto hit = ray ? built_->accelerator->Intersect(*ray, workspace) : std::nullopt;
-      if (!hit || !hit->is_contested) continue;
+      if (!hit || !(hit->is_contested || FacesAwayBySmoothing(built_->world.At(*ray, *hit), ray->direction))) continue;
       steady_[static_cast<std::size_t>(y * width + x)] = false;
     }
 }
@@ -139,27 +144,24 @@ void SceneImages::FindSteadyPixels() {
 std::vector<bool> SceneImages::SteadyWith(const MistakeList& mistakes) {
   const auto kept = steady_with_.find(mistakes);
   if (kept != steady_with_.end()) return kept->second;
-  std::vector<bool> steady(static_cast<std::size_t>(reference_.Width()) * static_cast<std::size_t>(reference_.Height()),
-                           true);
   const auto image = With(mistakes);
-  if (!image) return steady;
-  const MistakeList before = BeforeRendering(mistakes);
-  for (const R2::Vector& shift : shifts) {
-    const R2::Image moved = Shown(Light(before, shift), mistakes);
-    for (int y = 0; y < image->Height(); ++y)
-      for (int x = 0; x < image->Width(); ++x)
-        if (LargestChannel(moved.At(x, y) - image->At(x, y)) > scene_.tolerance)
-          steady[static_cast<std::size_t>(y * image->Width() + x)] = false;
-  }
+  if (!image) return std::vector<bool>(steady_.size(), true);
+  std::vector<bool> steady;
+  for (const double spread : SpreadOf(*image, CornersWith(mistakes))) steady.push_back(spread <= scene_.tolerance);
   return steady_with_.emplace(mistakes, std::move(steady)).first->second;
 }
 
-R2::Image SceneImages::Light(const MistakeList& mistakes, R2::Vector shift_in_pixels, int samples) const {
+std::vector<R2::Image> SceneImages::CornersWith(const MistakeList& mistakes) const {
+  std::vector<R2::Image> corners;
+  for (const R2::Vector& shift : shifts) corners.push_back(Shown(Light(BeforeRendering(mistakes), shift), mistakes));
+  return corners;
+}
+
+R2::Image SceneImages::Light(const MistakeList& mistakes, R2::Vector shift_in_pixels) const {
   const SceneToRender& scene = built_->scene;
   Variant variant(scene.scene, scene.settings);
   for (const Mistake* mistake : mistakes) mistake->make(variant);
   Shift(variant, shift_in_pixels);
-  if (samples > 0) variant.settings.samples = samples;
   if (!variant.HasOwnScene()) return Rendered(variant, built_->world, *built_->accelerator);
   const World world(variant.scene());
   return Rendered(variant, world, *Accelerated(world, scene.accelerator));

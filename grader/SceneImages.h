@@ -44,13 +44,14 @@ class SceneImages {
   /// Returns displayed values, in 0..1.
   const R2::Image& Reference() const { return reference_; }
   /// Returns the steady pixels, in rows from the bottom. A pixel is steady unless it changes by more than the tolerance
-  /// when the camera is moved by less than half a pixel, or several surfaces are coincident there.
+  /// when the camera is moved by half a pixel, several surfaces are coincident there, or a blended normal points away.
   const std::vector<bool>& Steady() const { return steady_; }
+  /// Returns the change of the reference within each pixel: programs put their samples anywhere in it.
+  const std::vector<double>& Spread() const { return spread_; }
+  /// Returns the references of programs whose rays go through the four corners of pixels, if pixels are compared.
+  const std::vector<R2::Image>& Corners() const { return corners_; }
   /// Returns the pixels of the image with mistakes that are steady in the same way; all of them if they do not apply.
   std::vector<bool> SteadyWith(const MistakeList& mistakes);
-  /// Returns the possible difference of smoothed edges from the reference at each pixel, since the samples of programs
-  /// are at different places.
-  const std::vector<double>& Smoothing() const { return smoothing_; }
   /// Returns the image with mistakes, as displayed; std::nullopt if they do not apply to this scene.
   std::optional<R2::Image> With(const MistakeList& mistakes);
   /// Returns the same before values are clamped.
@@ -66,20 +67,21 @@ class SceneImages {
 
  private:
   struct Built;
-  /// Renders an image; empty if the mistakes, which must all be applied before rendering, do not apply. `samples` 0: as
-  /// many as the scene requests.
-  R2::Image Light(const MistakeList& mistakes, R2::Vector shift_in_pixels = {}, int samples = 0) const;
+  /// Renders an image; empty if the mistakes, which must all be applied before rendering, do not apply.
+  R2::Image Light(const MistakeList& mistakes, R2::Vector shift_in_pixels = {}) const;
   /// Throws SceneErrors if an option of the suite does not change the image.
   void RefuseIdleOptions(const Loader& load);
+  /// Returns the images of rays through the four corners of pixels.
+  std::vector<R2::Image> CornersWith(const MistakeList& mistakes) const;
   void FindSteadyPixels();
-  void FindSmoothing();
 
   const SuiteScene& scene_;
   std::string file_;
   std::unique_ptr<Built> built_;
   R2::Image reference_;
   std::vector<bool> steady_;
-  std::vector<double> smoothing_;
+  std::vector<double> spread_;
+  std::vector<R2::Image> corners_;
   std::map<MistakeList, std::vector<bool>> steady_with_;
   // The inputs of mistakes of the finished image.
   std::map<MistakeList, R2::Image> light_;

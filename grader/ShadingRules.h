@@ -8,7 +8,17 @@ namespace ray::grade {
 
 /// Deviations of a student's program from the surface equation. The defaults are the equation.
 struct ShadingRules {
-  enum class Normal { exact, by_matrix, untransformed, inward, not_facing, flat, not_normalized };
+  enum class Normal {
+    exact,
+    by_matrix,
+    by_inverse,
+    untransformed,
+    inward,
+    not_facing,
+    flat,
+    stretched,  // unit before it is transformed
+    not_normalized
+  };
   enum class Cosine { clamped, absolute, none, squared };
   enum class Shadow { exact, beyond_light, of_next_light };
   enum class Lights { all, first, last };
@@ -23,6 +33,7 @@ struct ShadingRules {
   Mirror mirror = Mirror::exact;
   bool spot_is_linear = false;       // a spot light fades with the angle instead of a power of the cosine
   bool half_vector = false;          // (N.H)^n instead of (V.R)^n
+  bool highlight_opposite = false;   // (V.-R)^n
   bool highlight_in_shadow = false;  // added even if the light is occluded
   bool highlight_behind = false;     // added where N.L is negative
   bool highlight_by_cosine = false;  // multiplied by N.L
@@ -30,6 +41,7 @@ struct ShadingRules {
   bool leaving_is_entering = false;
   bool mirror_replaces = false;  // the surface's own color is multiplied by 1 - kr, or by 1 - kt
   bool glass_replaces = false;
+  bool behind_the_eye = false;  // camera rays hit what is behind the eye first
   // The background that camera rays see, if it differs from that of other rays.
   std::optional<R2::Color> camera_background;
 

@@ -1,4 +1,5 @@
-# The grader of students' programs, raygrade, and its tests. Included by the Makefile; rayimg diff uses what is beside it.
+# The grader of students' programs, raygrade, and its tests. Included by the Makefile; rayimg diff uses the files next
+# to it.
 MAINS += grader/raygrade.cpp
 PROGRAMS += raygrade
 LIBRARY_SOURCES += $(filter-out $(MAINS),$(wildcard grader/*.cpp grader/mistakes/*.cpp grader/raygrade/*.cpp))

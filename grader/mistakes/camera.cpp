@@ -1,6 +1,7 @@
 #include "grader/mistakes/Tables.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "R1/Elementary.h"
 
@@ -21,6 +22,15 @@ extern const MistakeTable camera_mistakes{
      .expected = "The angle in the scene file is used as the course defines it: whole or half, horizontal or vertical.",
      .hint = "Is everything twice as large?",
      .make = [](Variant& v) { v.OwnScene().camera.xfov /= 2; }},
+    {.name = "field_of_view_in_degrees",
+     .title = "the field of view is taken for degrees",
+     .expected = "Angles in the scene file are in the units that the course defines.",
+     .hint = "Is the angle converted to radians though it is in radians?",
+     .make =
+         [](Variant& v) {
+           double& angle = v.OwnScene().camera.xfov;
+           angle *= std::numbers::pi / 180;
+         }},
     {.name = "field_of_view_of_height",
      .title = "the field of view is taken across the other side of the image",
      .expected =
@@ -36,6 +46,24 @@ extern const MistakeTable camera_mistakes{
      .expected = "Pixels are square: height and width of the image plane are in the proportion of the pixels.",
      .hint = "Are spheres round in an image that is not square?",
      .make = [](Variant& v) { v.OwnScene().camera.aspect = 1; }},
+    {.name = "aspect_inverted",
+     .title = "the aspect ratio is inverted",
+     .expected = "Pixels are square: height and width of the image plane are in the proportion of the pixels.",
+     .hint = "Is height divided by width, or width by height?",
+     .make =
+         [](Variant& v) { v.OwnScene().camera.aspect = static_cast<double>(v.settings.height) / v.settings.width; }},
+    {.name = "looks_at_direction",
+     .title = "the view direction is taken for a point to look at",
+     .expected = "The scene file gives the direction of view, not a target.",
+     .hint = "Is the eye subtracted from the direction?",
+     .make =
+         [](Variant& v) {
+           Camera& camera = v.OwnScene().camera;
+           // The largest component of directions in files is nearly always 1.
+           const R3::Vector to = (1 / MaxComponent(Abs(camera.towards))) * camera.towards - (camera.eye - R3::Point{});
+           const Camera aimed = Aim(camera.eye, to, camera.up).camera;
+           camera.towards = aimed.towards, camera.up = aimed.up, camera.right = aimed.right;
+         }},
     {.name = "looks_backwards",
      .title = "the camera looks backwards",
      .expected = "The view direction points from the eye to the target.",

@@ -67,6 +67,18 @@ extern const MistakeTable image_mistakes{
                                image.Height() - 1 - x * image.Height() / image.Width()};
            });
          }},
+    {.name = "columns_stored",
+     .title = "pixels are stored by columns",
+     .expected = "A pixel is at row times width plus column.",
+     .hint = "Which of two loops is the outer one, and which of the two sizes is a factor?",
+     .of_image =
+         [](const R2::Image& image) {
+           const int width = image.Width(), height = image.Height();
+           return Moved(image, width, height, [&](int x, int y) {
+             const int place = (height - 1 - y) * width + x;
+             return PixelPlace{place / height, height - 1 - place % height};
+           });
+         }},
     {.name = "red_and_blue_swapped",
      .title = "red and blue are swapped",
      .expected = "Image files hold red, green, blue; some libraries want blue first.",
@@ -74,16 +86,6 @@ extern const MistakeTable image_mistakes{
      .of_image =
          [](const R2::Image& image) {
            return EachColor(image, [](const R2::Color& c) { return R2::Color{c.b, c.g, c.r}; });
-         }},
-    {.name = "half_a_pixel",
-     .title = "rays go through the corners of pixels",
-     .expected = "A ray goes through the middle of its pixel: (x + 0.5) / width.",
-     .hint = "Is there an offset of half a pixel between the images?",
-     .make =
-         [](Variant& v) {
-           const double half_pixel = 1.0 / v.settings.width;
-           R2::Vector& shift = v.OwnScene().camera.shift;
-           shift = {shift.x - half_pixel, shift.y + half_pixel};
          }},
     {.name = "divided_by_pi",
      .title = "light is divided by pi",

@@ -33,6 +33,22 @@ extern const MistakeTable rays_mistakes{
              if (!IsBlack(m.kr)) m.kr = {1, 1, 1};
            });
          }},
+    {.name = "reflection_weighted_twice",
+     .title = "reflections are weighted twice",
+     .expected = "The color that the mirror ray sees is multiplied by the mirror's reflectance, once.",
+     .hint = "Is the color that returns multiplied in two places?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { m.kr = m.kr * m.kr; }); }},
+    {.name = "reflection_gray",
+     .title = "reflections are not tinted",
+     .expected = "The color that the mirror ray sees is multiplied by the reflectance, channel by channel.",
+     .hint = "Is the reflectance one number where three are due?",
+     .make =
+         [](Variant& v) {
+           ChangeMaterials(v.OwnScene(), [](Material& m) {
+             const double gray = Luminance(m.kr);
+             m.kr = {gray, gray, gray};
+           });
+         }},
     {.name = "reflection_in_surface_color",
      .title = "reflections tinted by the diffuse color",
      .expected = "The color that the mirror ray sees is multiplied by the mirror's reflectance only.",

@@ -1,5 +1,7 @@
 #include "grader/mistakes/Tables.h"
 
+#include <utility>
+
 #include "grader/Changes.h"
 
 namespace ray::grade {
@@ -68,6 +70,11 @@ extern const MistakeTable shading_mistakes{
          [](Variant& v) {
            ChangeMaterials(v.OwnScene(), [](Material& m) { m.ka = m.kd, m.texture_multiplies_ka = true; });
          }},
+    {.name = "ambient_and_diffuse_swapped",
+     .title = "the ambient and the diffuse color are swapped",
+     .expected = "A material's colors stand in the order of the file: ambient, diffuse, specular.",
+     .hint = "In which order are the colors read?",
+     .make = [](Variant& v) { ChangeMaterials(v.OwnScene(), [](Material& m) { std::swap(m.ka, m.kd); }); }},
     {.name = "ambient_light_ignored",
      .title = "the color of ambient light is ignored",
      .expected = "The ambient term is ka times the scene's ambient light Ia.",
@@ -106,6 +113,11 @@ extern const MistakeTable shading_mistakes{
      .expected = "The highlight is ks (V.R)^n IL; N.L has no part in it.",
      .hint = "What is multiplied by N.L: the sum of both terms?",
      .make = [](Variant& v) { v.rules.highlight_by_cosine = true; }},
+    {.name = "highlight_opposite",
+     .title = "highlights lie opposite to where they should",
+     .expected = "R = 2 (N.L) N - L leaves the surface, and V points to the viewer.",
+     .hint = "Which signs have R and V?",
+     .make = [](Variant& v) { v.rules.highlight_opposite = true; }},
     {.name = "highlight_behind",
      .title = "highlights of lights behind the surface",
      .expected = "Where N.L is not positive, the light is behind the surface and adds neither term.",

@@ -148,13 +148,23 @@ TEST(Raygrade, TheBuildCommandHasItsOwnLimits) {
   EXPECT_TRUE(Has(printed, "was not built: the command sleep 60 was stopped after 0.5")) << printed;
 }
 
-/// Returns the commands in docs/teachers.md for a folder of Gradescope, in one line.
-std::string GradescopesCommands() {
+/// Returns the commands of docs/teachers.md in lines that begin so and contain a text, in one line.
+std::string CommandsOfTheDocs(const std::string& begin, const std::string& text) {
   std::istringstream page(ReadFile((project::Root() / "docs/teachers.md").string()));
   std::string commands;
   for (std::string line; std::getline(page, line);)
-    if (line.starts_with("    ") && Has(line, "/autograder/")) commands += (commands.empty() ? "" : " && ") + line;
+    if (line.starts_with(begin) && Has(line, text))
+      commands += (commands.empty() ? "" : " && ") + line.substr(begin.size());
   return commands;
+}
+
+/// Runs commands of the docs in a folder, with raygrade in PATH.
+void ExpectSuccess(const TeachersFolder& place, const std::string& commands) {
+  fs::create_directory(place / "bin");
+  fs::create_symlink(fs::absolute(ProgramName("RAYGRADE")), place / "bin/raygrade");
+  const std::string call = "cd '" + place.Path().string() + "' && PATH='" + place / "bin" + "':$PATH; (" + commands +
+                           ") > '" + place / "printed" + "' 2>&1";
+  EXPECT_EQ(std::system(call.c_str()), 0) << call << "\n" << ReadFile(place / "printed");
 }
 
 TEST(Raygrade, TheRecipeForGradescopeLeavesItsResults) {
@@ -163,18 +173,32 @@ TEST(Raygrade, TheRecipeForGradescopeLeavesItsResults) {
   const TeachersFolder place;
   place.AddTracer("submission", "tracer.in");
   WriteFile(place / "submission/Makefile", "tracer: tracer.in\n\tcp tracer.in tracer\n");
-  for (const char* folder : {"source", "results", "bin"}) fs::create_directory(place / folder);
+  for (const char* folder : {"source", "results"}) fs::create_directory(place / folder);
   for (const char* file : {"a.scn", "suite.yaml"}) fs::rename(place / file, place.Path() / "source" / file);
-  fs::create_symlink(fs::absolute(ProgramName("RAYGRADE")), place / "bin/raygrade");
-  std::string commands = GradescopesCommands();
+  std::string commands = CommandsOfTheDocs("    ", "/autograder/");
   ASSERT_TRUE(Has(commands, "raygrade ")) << commands;
   for (const auto& [what, with] : {std::pair{std::string("/autograder"), place.Path().string()},
                                    {std::string("/tmp/graded"), place / "graded"}})
     for (std::size_t at = commands.find(what); at != commands.npos; at = commands.find(what, at + with.size()))
       commands.replace(at, what.size(), with);
-  const std::string call = "PATH='" + place / "bin" + "':$PATH; (" + commands + ") > '" + place / "printed" + "' 2>&1";
-  EXPECT_EQ(std::system(call.c_str()), 0) << call << "\n" << ReadFile(place / "printed");
+  ExpectSuccess(place, commands);
   EXPECT_TRUE(Has(ReadFile(place / "results/results.json"), "\"max_score\"")) << ReadFile(place / "printed");
+}
+
+TEST(Raygrade, TheRecipeForGithubLeavesItsPages) {
+  NEEDS_RAYGRADE();
+  if (std::system("make --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "there is no make";
+  const TeachersFolder place;
+  place.AddTracer(".", "tracer.in");
+  WriteFile(place / "Makefile", "tracer: tracer.in\n\tcp tracer.in tracer\n");
+  fs::create_directory(place / "suite");
+  for (const char* file : {"a.scn", "suite.yaml"}) fs::rename(place / file, place.Path() / "suite" / file);
+  const std::string commands = CommandsOfTheDocs("      - run: ", "");
+  ASSERT_TRUE(Has(commands, "make && raygrade ")) << commands;
+  ExpectSuccess(place, commands);
+  // The step after these uploads this folder.
+  ASSERT_TRUE(Has(CommandsOfTheDocs("        with: ", ""), "path: graded}"));
+  EXPECT_TRUE(Has(ReadFile(place / "graded/index.html"), "<html")) << ReadFile(place / "printed");
 }
 
 TEST(Raygrade, TenMinutesAreEnoughForAClassOfFour) {

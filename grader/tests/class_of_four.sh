@@ -22,7 +22,9 @@ done
 sed -i 's/if (cosine <= 0 ||.*) continue;/if (cosine <= 0) continue;/' handed_in/bob/tracer.c
 sed -i 's/^int main/int mian/' handed_in/cat/tracer.c
 sed -i 's/read_scene(argv\[1\], &world, 0, 0);/for (;;) continue;/' handed_in/dan/tracer.c
-for student in bob cat dan; do cmp -s handed_in/amy/tracer.c handed_in/$student/tracer.c && fail "$student is right"; done
+for student in bob cat dan; do
+  cmp -s handed_in/amy/tracer.c handed_in/$student/tracer.c && fail "$student is right"
+done
 
 mkdir suite
 cp "$root"/share/suites/cos426/* suite

@@ -2,7 +2,7 @@
 # The two commands in a bare system; see README.md beside this file.
 set -eu
 
-usage() { echo "usage, as root: tests/fresh/run.sh FOLDER [none|sudo|root|making|release]..." >&2; exit 2; }
+usage() { echo "usage, as root: tests/fresh/run.sh FOLDER [none|sudo|root|class|making|release]..." >&2; exit 2; }
 
 [ $# -gt 0 ] && [ "$(id -u)" = 0 ] || usage
 tree=$(cd "$(dirname "$0")/../.." && pwd)
@@ -11,7 +11,7 @@ folder=$(cd "$1" && pwd)
 shift
 [ $# -gt 0 ] || set -- none sudo root
 for rights in "$@"; do
-  case "$rights" in none|sudo|root|making|release) ;; *) usage ;; esac
+  case "$rights" in none|sudo|root|class|making|release) ;; *) usage ;; esac
 done
 tar=$folder/bookworm.tar
 times=$folder/seconds
@@ -185,6 +185,20 @@ with_release() {
   as_release "tar -xzf $sources && [ -x ${sources%.tar.gz}/script/setup.sh ]" || fail "the sources"
   as_release "tar -xzf raypro-*-site.tar.gz && grep -q raypro.wasm site/web/page.js && [ -s site/index.html ]" || fail "the site"
   as_release "[ -s notes.md ]" || fail "no notes"
+}
+
+# From nothing to a graded class of four, as a teacher does it.
+with_class() {
+  class_began=$(date +%s)
+  say "command 1 as root, and make install"
+  timed "script/setup.sh and make install" as_root 'script/setup.sh && make install'
+  in_root chown -R user:user /home/user/tree
+  say "a class of four"
+  timed "a class of four" as_user \
+    'cd / && RAYGRADE=/usr/local/bin/raygrade sh /home/user/tree/grader/tests/class_of_four.sh'
+  took=$(($(date +%s) - class_began))
+  echo "$took s: from a bare system to a graded class of four" >>"$times"
+  [ "$took" -le 600 ] || fail "a graded class of four took $took s, more than ten minutes"
 }
 
 with_root() {

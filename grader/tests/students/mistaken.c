@@ -26,7 +26,7 @@
   _(saturated) _(red_lost) _(no_light_two) _(normals_face_light) _(specular_white) _(one_and_a_half) \
   _(mirror_adds_twice) _(tinted_glass_lost) _(fog) _(noise) _(ambient_doubled) _(diffuse_by_ks)
 #define LIBERTIES(_) _(nearest_texel) _(srgb) _(gamma22) _(four_samples) _(sixteen_samples) _(random_samples) \
-  _(rounded) _(other_epsilon) _(corner_rays)
+  _(rounded) _(other_epsilon) _(lower_left) _(lower_right) _(upper_left) _(upper_right)
 #define NAME(x) x,
 enum Word { MISTAKES(NAME) LIBERTIES(NAME) word_count };
 #define TEXT(x) #x,
@@ -183,7 +183,8 @@ static void read_all(const Frame* group, int inherited, int level) {
       int m = (int)num(), i;
       F a[16];
       for (i = 0; i < 16; ++i) a[i] = num();
-      own.x = p3(a[0], a[4], a[8]), own.y = p3(a[1], a[5], a[9]), own.z = p3(a[2], a[6], a[10]), own.o = p3(a[3], a[7], a[11]);
+      own.x = p3(a[0], a[4], a[8]), own.y = p3(a[1], a[5], a[9]), own.z = p3(a[2], a[6], a[10]);
+      own.o = p3(a[3], a[7], a[11]);
       if (has[scale_ignored]) own.x = norm(own.x), own.y = norm(own.y), own.z = norm(own.z);
       if (has[matrix_inverted]) {
         Frame g = own;
@@ -208,7 +209,8 @@ static int better(const Seen* s, F t, F least) {
 }
 static void ball(const Obj* o, P q, P d, F least, Seen* s) {
   P m = minus(q, o->a);
-  F a = in(d, d), b = in(m, d), c = in(m, m) - (has[radius_not_squared] ? o->r : o->r * o->r), disc = b * b - a * c, t, u, k;
+  F a = in(d, d), b = in(m, d), c = in(m, m) - (has[radius_not_squared] ? o->r : o->r * o->r);
+  F disc = b * b - a * c, t, u, k;
   if (disc < 0) return;
   k = sqrtf(disc);
   t = (-b - k) / a, u = (-b + k) / a;
@@ -218,7 +220,8 @@ static void ball(const Obj* o, P q, P d, F least, Seen* s) {
   s->t = t, s->o = o, s->own = plus(q, scaled(d, t)), s->n = minus(s->own, o->a);
 }
 static void slabs(const Obj* o, P q, P d, F least, Seen* s) {
-  const F at[3] = {q.x, q.y, q.z}, way[3] = {d.x, d.y, d.z}, lo[3] = {o->a.x, o->a.y, o->a.z}, hi[3] = {o->b.x, o->b.y, o->b.z};
+  const F at[3] = {q.x, q.y, q.z}, way[3] = {d.x, d.y, d.z};
+  const F lo[3] = {o->a.x, o->a.y, o->a.z}, hi[3] = {o->b.x, o->b.y, o->b.z};
   F from = -1e30f, to = 1e30f, n[3] = {0, 0, 0}, t;
   int i, in_axis = 0, out_axis = 0;
   for (i = 0; i < 3; ++i) {
@@ -431,7 +434,10 @@ static P ray(P from, P d, int bounce, int inside, F eps) {
       }
       c = scaled(ray(plus(s.at, scaled(n, -epsilon())), norm(t), bounce + 1, !inside, 1e-5f), 1 - part);
     } else part = fresnel || has[total_reflection] ? 1 : 0;
-    if (part > 0) c = plus(c, scaled(ray(plus(s.at, scaled(n, epsilon())), norm(plus(d, scaled(n, -2 * in(d, n)))), bounce + 1, inside, 1e-5f), part));
+    if (part > 0) {
+      const P start = plus(s.at, scaled(n, epsilon())), way = norm(plus(d, scaled(n, -2 * in(d, n))));
+      c = plus(c, scaled(ray(start, way, bounce + 1, inside, 1e-5f), part));
+    }
     if (has[glass_blends]) sum = plus(by(sum, minus(p3(1, 1, 1), kt)), by(kt, c));
     else sum = plus(sum, by(kt, c));
   }
@@ -487,14 +493,21 @@ int main(int argc, char** argv) {
         F oy = ((F)(i / side) + (has[random_samples] ? random01() : 0.5f)) / (F)side;
         F a, b;
         P d, one;
-        if (has[corner_rays]) ox = oy = 0;
+        if (has[lower_left] || has[upper_left]) ox = 0;
+        if (has[lower_right] || has[upper_right]) ox = 1;
+        if (has[lower_left] || has[lower_right]) oy = 0;
+        if (has[upper_left] || has[upper_right]) oy = 1;
         if (has[pixel_shift]) ox += 1;
-        a = 2 * ((F)x + ox) / (F)(has[pixels_less_one] ? w - 1 : w) - 1, b = 2 * ((F)y + oy) / (F)(has[pixels_less_one] ? h - 1 : h) - 1;
+        a = 2 * ((F)x + ox) / (F)(has[pixels_less_one] ? w - 1 : w) - 1;
+        b = 2 * ((F)y + oy) / (F)(has[pixels_less_one] ? h - 1 : h) - 1;
         d = plus(towards, plus(scaled(right, a * half), scaled(up, b * tall)));
         if (!has[view_not_unit]) d = norm(d);
         one = ray(eye, d, 0, 0, 1e-5f);
         if (has[clamp_by_largest] && top(one) > 1) one = scaled(one, 1 / top(one));
-        if (has[saturated]) { F g = (one.x + one.y + one.z) / 3; one = plus(p3(g, g, g), scaled(minus(one, p3(g, g, g)), 1.4f)); }
+        if (has[saturated]) {
+          const F g = (one.x + one.y + one.z) / 3;
+          one = plus(p3(g, g, g), scaled(minus(one, p3(g, g, g)), 1.4f));
+        }
         c = plus(c, clamped(one));
       }
       c = scaled(c, 1 / (F)(side * side));
