@@ -309,12 +309,8 @@ class CauseSearch {
   }
 
   /// Returns true if each cause explains the whole difference in every scene that it changes, and is required for that
-  /// in at least one. Programs make the same mistake in slightly different ways: if nearly all of the difference is
-  /// explained, one scene is enough.
-  bool IsEstablished(const Scored& best) const {
-    constexpr double nearly_all = 0.99;
-    const Hypothesis& hypothesis = best.hypothesis;
-    const bool is_nearly_whole = ShareOf(best) >= nearly_all;
+  /// in at least one.
+  bool IsEstablished(const Hypothesis& hypothesis) const {
     for (std::size_t i = 0; i < hypothesis.Size(); ++i) {
       const Hypothesis shorter = Without(hypothesis, i);
       int changed = 0, explained = 0;
@@ -330,7 +326,7 @@ class CauseSearch {
         ++explained;
         is_needed |= !fit_without || !IsWhole(scene, *fit_without);
       }
-      if (!is_needed || (explained < changed && !is_nearly_whole)) return false;
+      if (!is_needed || explained < changed) return false;
     }
     return true;
   }
@@ -346,7 +342,7 @@ class CauseSearch {
     using enum Diagnosis::Kind;
     const bool is_whole = best.hypothesis.Size() > 1 && best.cost == 0 &&
                           Score(best.hypothesis, 0, Care::strict).cost == 0;
-    const bool is_named = is_whole || IsEstablished(best);
+    const bool is_named = is_whole || IsEstablished(best.hypothesis);
     return Found(best, {}, is_named ? named : ShareOf(best) > most_of_it ? resembles : unknown);
   }
   Diagnosis Found(const Scored& best, std::vector<Hypothesis> alternatives, Diagnosis::Kind kind) const {
