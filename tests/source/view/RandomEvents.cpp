@@ -271,10 +271,10 @@ class RandomUser {
   std::unique_ptr<Viewer> viewer_;
 };
 
-TEST(RandomEvents, TenThousandOfThemDoNoHarm) {
+TEST(RandomEvents, TwentyThousandOfThemDoNoHarm) {
   // In several stories, so that a failure is short enough to be read, and each begins with a viewer as it is at first.
   constexpr int events_of_a_story = 250;
-  const int stories = Count(4, 40);
+  const int stories = Count(4, 80);
   int edits = 0, saves = 0, crops = 0, slides = 0;
   for (int story = 0; story < stories && !testing::Test::HasFailure(); ++story) {
     RandomUser user(2'000 + static_cast<std::uint64_t>(story));
