@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "page/MemoryFiles.h"
+#include "page/PixelRays.h"
+#include "page/Warnings.h"
 #include "source/app/PreparedScene.h"
 #include "source/app/Status.h"
 #include "source/app/manual/Manual.h"
@@ -20,9 +23,6 @@
 #include "source/render/PixelTrace.h"
 #include "source/render/Render.h"
 #include "source/text/Quoting.h"
-#include "page/MemoryFiles.h"
-#include "page/PixelRays.h"
-#include "page/Warnings.h"
 
 /// What a page calls. An instance of the module holds one session: a scene that is open, and an image of it. Several
 /// instances render an image together, each its own part (source/render/Parts.h); one of them collects the parts. Each

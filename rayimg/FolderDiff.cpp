@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <map>
 
-#include "source/app/Status.h"
 #include "rayimg/ImageFolder.h"
 #include "rayimg/PairTables.h"
+#include "source/app/Status.h"
 
 namespace ray::rayimg {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "R2/ImageFile.h"
-#include "source/app/files/Outputs.h"
 #include "rayimg/Options.h"
+#include "source/app/files/Outputs.h"
 
 namespace ray::rayimg {
 

@@ -2,10 +2,10 @@
 
 #include "R2/Ramp.h"
 #include "grader/Html.h"
+#include "rayimg/Images.h"
 #include "source/app/report/Messages.h"
 #include "source/film/Resize.h"
 #include "source/parse/SceneError.h"
-#include "rayimg/Images.h"
 #include "source/text/NumberText.h"
 
 namespace ray::rayimg {

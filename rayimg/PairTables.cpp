@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "grader/Html.h"
-#include "source/app/Status.h"
 #include "rayimg/Images.h"
+#include "source/app/Status.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "source/app/files/OutputFile.h"
 #include "rayimg/PairResult.h"
+#include "source/app/files/OutputFile.h"
 
 namespace ray::rayimg {
 

@@ -4,10 +4,10 @@
 #include <limits>
 
 #include "R2/ToneCurve.h"
+#include "rayimg/Options.h"
 #include "source/app/Status.h"
 #include "source/app/options/AboutOptions.h"
 #include "source/app/options/OptionEntry.h"
-#include "rayimg/Options.h"
 #include "source/text/Number.h"
 #include "source/text/Words.h"
 

@@ -2,15 +2,15 @@
 #include <cmath>
 #include <filesystem>
 
+#include "rayimg/Commands.h"
+#include "rayimg/ImageFolder.h"
+#include "rayimg/Images.h"
+#include "rayimg/Sheet.h"
 #include "source/app/Status.h"
 #include "source/app/manual/Manual.h"
 #include "source/app/report/Messages.h"
 #include "source/film/Resize.h"
 #include "source/parse/SceneError.h"
-#include "rayimg/Commands.h"
-#include "rayimg/ImageFolder.h"
-#include "rayimg/Images.h"
-#include "rayimg/Sheet.h"
 
 namespace ray::rayimg {
 namespace {

@@ -1,6 +1,6 @@
-#include "source/app/Status.h"
 #include "rayimg/Commands.h"
 #include "rayimg/Images.h"
+#include "source/app/Status.h"
 
 namespace ray::rayimg {
 

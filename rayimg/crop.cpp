@@ -1,13 +1,13 @@
 #include <algorithm>
 
+#include "rayimg/Commands.h"
+#include "rayimg/Images.h"
+#include "rayimg/Layers.h"
 #include "source/app/Status.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
-#include "rayimg/Commands.h"
-#include "rayimg/Images.h"
-#include "rayimg/Layers.h"
 #include "source/text/Quoting.h"
 
 namespace ray::rayimg {

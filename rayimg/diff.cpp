@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "R2/Ramp.h"
-#include "source/app/Status.h"
-#include "source/app/files/OutputFile.h"
-#include "source/app/manual/Manual.h"
-#include "source/app/report/Messages.h"
 #include "rayimg/Commands.h"
 #include "rayimg/Findings.h"
 #include "rayimg/FolderDiff.h"
 #include "rayimg/Images.h"
 #include "rayimg/Independence.h"
 #include "rayimg/PairTables.h"
+#include "source/app/Status.h"
+#include "source/app/files/OutputFile.h"
+#include "source/app/manual/Manual.h"
+#include "source/app/report/Messages.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"
 

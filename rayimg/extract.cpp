@@ -2,14 +2,14 @@
 #include <array>
 #include <utility>
 
+#include "rayimg/Commands.h"
+#include "rayimg/Images.h"
+#include "rayimg/Layers.h"
 #include "source/app/Status.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
-#include "rayimg/Commands.h"
-#include "rayimg/Images.h"
-#include "rayimg/Layers.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Quoting.h"
 #include "source/text/Words.h"

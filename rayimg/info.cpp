@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "rayimg/Commands.h"
+#include "rayimg/Images.h"
+#include "rayimg/Layers.h"
 #include "source/app/Status.h"
 #include "source/app/files/OutputFile.h"
 #include "source/app/report/Messages.h"
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
-#include "rayimg/Commands.h"
-#include "rayimg/Images.h"
-#include "rayimg/Layers.h"
 
 namespace ray::rayimg {
 namespace {

@@ -5,14 +5,14 @@
 #include <sstream>
 #include <vector>
 
+#include "rayimg/Commands.h"
+#include "rayimg/Images.h"
+#include "rayimg/Independence.h"
 #include "source/app/Status.h"
 #include "source/app/manual/Manual.h"
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
-#include "rayimg/Commands.h"
-#include "rayimg/Images.h"
-#include "rayimg/Independence.h"
 #include "source/text/Number.h"
 #include "source/text/NumberText.h"
 #include "source/text/Quoting.h"

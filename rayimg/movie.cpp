@@ -4,11 +4,11 @@
 #include <string_view>
 #include <utility>
 
+#include "rayimg/Commands.h"
+#include "rayimg/Images.h"
 #include "source/app/Status.h"
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
-#include "rayimg/Commands.h"
-#include "rayimg/Images.h"
 #include "source/text/LowerCase.h"
 #include "source/text/Quoting.h"
 

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "rayimg/Commands.h"
 #include "source/app/Answers.h"
 #include "source/app/GuardedMain.h"
 #include "source/app/Status.h"
 #include "source/app/options/CommandLine.h"
 #include "source/app/options/OptionTable.h"
-#include "rayimg/Commands.h"
 #include "source/text/Words.h"
 
 namespace ray {

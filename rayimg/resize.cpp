@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "source/app/Status.h"
 #include "rayimg/Commands.h"
 #include "rayimg/Images.h"
 #include "rayimg/Layers.h"
+#include "source/app/Status.h"
 
 namespace ray::rayimg {
 namespace {

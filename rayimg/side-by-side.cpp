@@ -1,11 +1,11 @@
 #include <filesystem>
 
-#include "source/app/Status.h"
-#include "source/app/manual/Manual.h"
 #include "rayimg/Commands.h"
 #include "rayimg/Images.h"
 #include "rayimg/Layers.h"
 #include "rayimg/Sheet.h"
+#include "source/app/Status.h"
+#include "source/app/manual/Manual.h"
 #include "source/text/Quoting.h"
 
 namespace ray::rayimg {

@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "R2/image_files/ColorProfile.h"
-#include "R2/image_files/TextSettings.h"
 #include "R2/image_files/Jump.h"
 #include "R2/image_files/Orientation.h"
+#include "R2/image_files/TextSettings.h"
 #include "R2/image_files/formats.h"
 
 // JPEG through libjpeg. Settings are stored in the comment marker, one line of "key: value" each.

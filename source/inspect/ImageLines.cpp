@@ -7,8 +7,8 @@
 namespace ray {
 namespace {
 
-constexpr int most_pieces = 32;
-constexpr double pixels_of_a_piece = 8;
+constexpr int most_pieces = 32;          // of a circle as wide as the image, 32nds of the width bend by 1/4096 of it
+constexpr double pixels_of_a_piece = 8;  // hidden as a whole
 
 /// Returns the share of the way at which a piece begins, so that pieces of a perspective image are of equal length:
 /// depths are inverse linear in the image.

@@ -67,7 +67,8 @@ std::vector<KeyBinding> Rendering() {
       {Key::i, plain,
        "the rendered image flat: wheel zooms, drag moves, Shift+drag slides against reference or preview", ToggleFlat},
       {Key::escape, plain,
-       "stop reading a scene, close the help or the flat image, clear the crop, forget the pick, close the cross section, stop rendering",
+       "stop reading a scene, close the help or the flat image, clear the crop, forget the pick, close the cross "
+       "section, stop rendering",
        Peel},
       {Key::q, plain, "quit; while an image is being rendered, when pressed twice", Quit},
       {Key::p, plain, "pause or continue tracing what the view shows", PauseOrResume},

@@ -28,6 +28,8 @@ class Notices {
   }
   /// The user has pressed something.
   void CountAction() { ++action_; }
+  /// The key that was pressed last has no function.
+  void TakeBackAction() { --action_; }
   /// Returns its opacity, from 1 to 0 as it fades.
   double Strength() const {
     constexpr double seconds_of_message = 5, seconds_of_fading = 1;

@@ -32,7 +32,7 @@ const KeyBinding* FindBinding(const KeyEvent& event) {
 }
 
 bool IsAction(const Event& event) {
-  if (const auto* key = std::get_if<KeyEvent>(&event)) return key->is_pressed && FindBinding(*key);
+  if (const auto* key = std::get_if<KeyEvent>(&event)) return key->is_pressed;
   if (const auto* button = std::get_if<ButtonEvent>(&event)) return button->is_pressed;
   return std::holds_alternative<DropEvent>(event) || std::holds_alternative<CloseEvent>(event);
 }
@@ -47,7 +47,14 @@ Kind InView(Kind event, double bottom) {
 }  // namespace
 
 bool Viewer::Handle(const Event& event) {
-  if (IsAction(event)) state_.notices.CountAction();
+  const bool is_action = IsAction(event);
+  if (is_action) state_.notices.CountAction();
+  const bool is_used = Deliver(event);
+  if (is_action && !is_used) state_.notices.TakeBackAction();  // a recording is without it
+  return is_used;
+}
+
+bool Viewer::Deliver(const Event& event) {
   if (state_.settings.shows_bar && std::holds_alternative<MoveEvent>(event)) state_.notices.Redraw();
   if (state_.shows.panels || state_.shows.help) {
     if (!std::holds_alternative<TickEvent>(event)) state_.notices.Redraw();

@@ -71,6 +71,8 @@ class Viewer {
   DrawingSize Size() const { return state_.screen.size; }
 
  private:
+  /// Gives the event to the panels or the view. Returns whether it does anything.
+  bool Deliver(const Event& event);
   bool On(const KeyEvent& event);
   static bool On(const TextEvent&) { return false; }
   void On(const ButtonEvent& event) { pointer_.On(event, state_); }

@@ -5,6 +5,7 @@
 
 #include "source/app/options/Program.h"
 
+/// The texts that programs print about themselves: manual pages, help, lists, completions.
 namespace ray {
 
 /// Returns the manual page raypro.1 or rayview.1, as troff source with man macros.

@@ -7,6 +7,7 @@
 #include "R2/ImageFile.h"
 #include "source/app/options/RenderOptions.h"
 
+/// The names of files on the command line: scenes and images.
 namespace ray {
 
 /// The name of standard input as a scene, and of standard output as an image.

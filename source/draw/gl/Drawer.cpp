@@ -5,8 +5,8 @@
 namespace ray {
 namespace {
 
-constexpr double lit_width = 3;       // in pixels
-constexpr int slider_width = 2;       // in pixels
+constexpr double lit_width = 3;  // in pixels
+constexpr int slider_width = 2;  // in pixels
 constexpr R2::Color slider_color{1, 1, 1};
 constexpr ClipMatrix as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 

@@ -9,11 +9,10 @@
 namespace ray {
 namespace {
 
-/// Returns true if a file is an image, by its name, or contains rays of another tracer, by its name and beginning.
-bool IsNoScene(const std::string& file) {
-  if (R2::FormatForName(file)) return true;
+/// Returns true if a file contains rays of another tracer, by its name and its first 64 KiB.
+bool HoldsForeignRays(const std::string& file) {
   std::string beginning(1 << 16, ' ');
-  if (std::error_code error; std::filesystem::is_regular_file(file, error))
+  if (std::error_code error; file.ends_with(".obj") && std::filesystem::is_regular_file(file, error))
     std::ifstream(file, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
   return IsForeignRays({file, beginning});
 }
@@ -153,13 +152,12 @@ void ShowProblems(ViewerState& viewer, const std::string& file, const std::excep
 }
 
 void OpenScene(ViewerState& viewer, const std::string& file) {
-  const bool is_no_scene = IsNoScene(file);
-  if (is_no_scene && viewer.reader.IsBusy()) return viewer.notices.Show("wait: " + viewer.reader.Describe());
-  if (!is_no_scene && !viewer.editor.MayLose("open " + file)) return;
+  const bool holds_rays = HoldsForeignRays(file), is_scene = !holds_rays && !R2::FormatForName(file);
+  if (!is_scene && viewer.reader.IsBusy()) return viewer.notices.Show("wait: " + viewer.reader.Describe());
+  if (is_scene && !viewer.editor.MayLose("open " + file)) return;
   ParseOptions unedited = viewer.settings.parse;
   unedited.edited.reset();
-  const auto show = [&viewer, file, is_no_scene](std::shared_ptr<const LoadedScene> scene) {
-    if (is_no_scene && !viewer.editor.MayLose("open " + file)) return;  // it was one after all
+  const auto show = [&viewer, file](std::shared_ptr<const LoadedScene> scene) {
     TakeSettings(viewer, scene->parsed.scene);
     viewer.settings.scene = file;
     viewer.settings.parse.edited.reset();
@@ -173,16 +171,17 @@ void OpenScene(ViewerState& viewer, const std::string& file) {
     viewer.notices.Show("opened " + file + viewer.NotesAfterMessage());
   };
   const auto read_scene = ReadingOf(file, unedited, viewer.settings.accelerator, show);
-  const auto read = [&viewer, file, read_scene]() -> FileReader::Show {
+  const auto read = [&viewer, file, holds_rays, read_scene]() -> FileReader::Show {
     if (const ReferenceImage image = viewer.host.ReadImage(file))
       return [&viewer, file, image] {
         viewer.host.NoteRead(file);
         viewer.traced.SetReference(image);
         viewer.notices.Show("the reference is " + file);
       };
-    if (const auto text = ReadSceneFile(file); text && IsForeignRays({file, *text}))
-      return [&viewer, file, rays = ReadForeignRays({file, *text})] { ShowForeignRays(viewer, file, rays); };
-    return read_scene();
+    if (!holds_rays) return read_scene();
+    const auto text = ReadSceneFile(file);
+    if (!text) throw SceneErrors({ErrorIn(file, "the file cannot be read")});
+    return [&viewer, file, rays = ReadForeignRays({file, *text})] { ShowForeignRays(viewer, file, rays); };
   };
   viewer.reader.Begin(file, false, read,
                       [&viewer, file](const std::exception& error) { ShowProblems(viewer, file, error); });

@@ -96,19 +96,6 @@ TEST_F(SlowScenes, AreNotReplacedByAReference) {
   EXPECT_FALSE(viewer_->Rays().Foreign().empty());
 }
 
-// A name may deceive: what is asked before unsaved changes are lost is asked then, too.
-TEST_F(SlowScenes, NamedLikeImagesDiscardNoChanges) {
-  ChooseNode(viewer_->state(), viewer_->scene().world.Nodes().size() - 1);
-  viewer_->state().editor.MoveBySteps(1);
-  viewer_->WaitForScene();
-  ASSERT_TRUE(viewer_->state().editor.HasUnsaved());
-  folder_.Write("other.png", "sphere -1  0 0 0  2\n");
-  Drop("other.png");
-  viewer_->WaitForScene();
-  EXPECT_TRUE(SceneIs("small.scn"));
-  EXPECT_TRUE(viewer_->state().editor.HasUnsaved());
-}
-
 TEST_F(SlowScenes, StopWithEscape) {
   Drop("slow.scn");
   Happen("key Escape");
