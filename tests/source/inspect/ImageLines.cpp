@@ -54,8 +54,12 @@ TEST(ImageLines, EndBeforeAPinhole) {
 
 TEST(ImageLines, AreTornAtThePanoramasEdge) {
   const ImageLines lines(CameraOf("projection latlong\n"), width, height, all_visible);
-  for (const ImageLine& line : lines.Of({-1, 0, 5}, {1, 0, 5}))
+  bool is_left = false, is_right = false;
+  for (const ImageLine& line : lines.Of({-1, 0, 5}, {1, 0, 5})) {
     EXPECT_LT(Distance(line.from, line.to), width / 2.0) << "not across the whole image";
+    (line.from.x < width / 2.0 ? is_left : is_right) = true;
+  }
+  EXPECT_TRUE(is_left && is_right);
 }
 
 TEST(ImageLines, AreHiddenPieceByPiece) {
