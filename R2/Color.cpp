@@ -1,7 +1,5 @@
 #include "R2/Color.h"
 
-#include <cmath>
-
 #include "R1/Elementary.h"
 
 namespace R2 {

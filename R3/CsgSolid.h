@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "R3/CsgPart.h"
 #include "R3/ElementTree.h"

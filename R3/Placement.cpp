@@ -1,10 +1,8 @@
 #include "R3/Placement.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "R1/Elementary.h"
-#include "R3/LeastAxis.h"
 
 namespace R3 {
 namespace {

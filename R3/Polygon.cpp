@@ -1,7 +1,6 @@
 #include "R3/Polygon.h"
 
 #include <algorithm>
-#include <array>
 
 #include "R2/Point.h"
 #include "R3/Vector.h"

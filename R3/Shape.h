@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "R2/Point.h"
@@ -10,9 +11,7 @@
 #include "R3/Hit.h"
 #include "R3/Intersection.h"
 #include "R3/MeshData.h"
-#include "R3/Profile.h"
 #include "R3/Ray.h"
-#include "R3/Recipe.h"
 #include "R3/SphereData.h"
 #include "R3/SurfaceSamples.h"
 #include "R3/UvTangents.h"
@@ -34,6 +33,29 @@ inline double SolidAnglePdf(const Normal& normal, const Vector& towards, double 
   const double cosine = std::abs(Dot(normal, towards)) / Length(towards);
   return cosine > 0 && area > 0 ? distance * distance / (cosine * area) : 0;
 }
+
+/// The line of a scene file that recreates a shape or a light: the name of its kind, and the kind's arguments in file
+/// order. The copy is bit-identical.
+struct Recipe {
+  const char* kind;
+  std::vector<double> arguments;
+  std::string text{};  // precedes the arguments, as a formula
+};
+
+/// A rotationally symmetric bound of a shape about y. In coordinates from -1 to 1 within the shape's bounding box, the
+/// shape lies inside
+///
+///     x^2 + z^2 + bulge y^2 <= (radius + taper y)^2.
+///
+/// The default contains the whole box.
+struct Profile {
+  double radius = 2, taper = 0;  // radius >= |taper|
+  double bulge = 0;              // 0 or 1
+
+  static constexpr Profile Ball() { return {1, 0, 1}; }
+  static constexpr Profile Upright() { return {1, 0, 0}; }  // a cylinder
+  static constexpr Profile Pointed() { return {0.5, -0.5, 0}; }
+};
 
 /// The form of a surface with regard to rays that start on it.
 enum class Form {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "R1/Elementary.h"
@@ -96,6 +95,12 @@ inline Vector BranchlessUnit(const Vector& v) {
 inline Vector Unit(const Vector& v) {
   const double square = Dot(v, v);
   return IsSafeSquare(square) ? v / std::sqrt(square) : BranchlessUnit(v);
+}
+
+/// Returns the axis of the smallest component, the first one of equals: a cross product with it is far from 0.
+inline Vector LeastAxis(const Vector& v) {
+  const Vector a = Abs(v);
+  return a.x <= a.y && a.x <= a.z ? Vector{1, 0, 0} : a.y <= a.z ? Vector{0, 1, 0} : Vector{0, 0, 1};
 }
 
 }  // namespace R3

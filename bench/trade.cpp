@@ -9,7 +9,6 @@
 // status is 1 when a goal is missed.
 
 #include <cstdlib>
-#include <cstring>
 
 #include "bench/TradeClaims.h"
 #include "bench/TradeProgram.h"

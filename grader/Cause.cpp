@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <vector>
 
 #include "R2/compare/Difference.h"
 #include "grader/Changes.h"

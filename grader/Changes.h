@@ -2,11 +2,10 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "R2/Image.h"
 #include "R3/Matrix.h"
-#include "R3/Recipe.h"
+#include "R3/Shape.h"
 #include "source/scene/Scene.h"
 
 /// Small changes from which mistakes are composed.

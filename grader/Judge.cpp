@@ -1,7 +1,6 @@
 #include "grader/Judge.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "R2/compare/Difference.h"
 #include "grader/Detectors.h"

@@ -2,8 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "R2/Image.h"
 #include "grader/ShadingRules.h"

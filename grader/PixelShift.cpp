@@ -1,6 +1,5 @@
 #include "grader/PixelShift.h"
 
-#include <algorithm>
 #include <array>
 
 #include "R2/Plane.h"

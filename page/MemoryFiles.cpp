@@ -1,7 +1,6 @@
 #include "page/MemoryFiles.h"
 
 #include <filesystem>
-#include <set>
 
 #include "source/parse/Files.h"
 #include "source/text/Quoting.h"

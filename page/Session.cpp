@@ -3,7 +3,6 @@
 #include <memory>
 #include <new>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,7 @@
 #include "source/film/Film.h"
 #include "source/parse/SceneError.h"
 #include "source/render/FirstLook.h"
-#include "source/render/LayerColors.h"
+#include "source/render/Layer.h"
 #include "source/render/Parts.h"
 #include "source/render/PixelTrace.h"
 #include "source/render/Render.h"

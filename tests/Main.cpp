@@ -4,7 +4,6 @@
 
 #include <cfenv>
 #include <cfloat>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <string>

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "R3/ShapeKind.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "R2/Point.h"
 #include "R3/Vector.h"

@@ -1,5 +1,4 @@
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "R1/Elementary.h"

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <numbers>
 
 #include "R3/Numeric.h"

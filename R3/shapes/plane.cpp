@@ -2,7 +2,6 @@
 
 #include "R1/DoubleDouble.h"
 #include "R3/GridMesh.h"
-#include "R3/LeastAxis.h"
 #include "R3/ShapeKind.h"
 
 namespace R3 {

@@ -1,6 +1,5 @@
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "source/app/Status.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "grader/raygrade/LoadScene.h"
 #include "grader/Base64.h"
 #include "grader/Html.h"

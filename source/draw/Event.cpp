@@ -1,6 +1,5 @@
 #include "source/draw/Event.h"
 
-#include <algorithm>
 #include <array>
 
 #include "source/text/LowerCase.h"

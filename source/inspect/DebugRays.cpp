@@ -1,7 +1,6 @@
 #include "source/inspect/DebugRays.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "source/inspect/SceneLines.h"
 #include "source/text/NumberText.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "source/text/Words.h"
 
 namespace ray {
 namespace {

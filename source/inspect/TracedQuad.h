@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 
 #include "R3/Ray.h"
 #include "source/draw/CameraMoves.h"

@@ -1,7 +1,6 @@
 #include "source/integrate/PathFront.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "R3/Numeric.h"
 #include "R3/Warp.h"

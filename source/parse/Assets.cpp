@@ -4,11 +4,9 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
-#include <vector>
 
 #include "R2/ImageFile.h"
 #include "source/parse/Model.h"
-#include "source/parse/Text.h"
 #include "source/parse/meshes/MeshFormat.h"
 #include "source/parse/meshes/SmoothNormals.h"
 #include "source/text/NumberText.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "R2/Image.h"
 #include "source/accelerate/Accelerator.h"
 #include "source/accelerate/World.h"

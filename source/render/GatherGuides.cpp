@@ -11,7 +11,6 @@
 #include "source/integrate/Guide.h"
 #include "source/render/Render.h"
 #include "source/render/RenderBlock.h"
-#include "source/render/Schedule.h"
 
 namespace ray {
 namespace {

@@ -2,6 +2,9 @@
 
 #include <array>
 
+#include "R2/Image.h"
+#include "source/integrate/Integrators.h"
+
 namespace ray {
 
 /// Additional layers of an image. All except the flare show properties of the first surface that a camera ray hits; the
@@ -15,5 +18,11 @@ namespace ray {
 enum class Layer { depth, normal, uv, albedo, id, flare };
 inline constexpr std::array layer_names{"depth", "normal", "uv", "albedo", "id", "flare"};
 constexpr const auto& NamesOf(Layer) { return layer_names; }
+
+/// Returns an image of that mode converted to the range 0..1 of a screen: depth from white, the nearest, to black;
+/// normals as (N + 1) / 2; a different color for each id. Images of other modes are unchanged.
+R2::Image LayerAsShown(RenderMode mode, const R2::Image& image);
+/// Returns true if the conversion changes nothing, so that large images need not be copied.
+bool IsShownAsItIs(RenderMode mode);
 
 }  // namespace ray

@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "source/render/ImagePart.h"
 #include "source/render/RenderState.h"
 
 /// Rendering an image in parts and joining them. A round takes as many samples as possible before a decision needs the

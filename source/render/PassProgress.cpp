@@ -1,7 +1,6 @@
 #include "source/render/PassProgress.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "source/render/Schedule.h"
 

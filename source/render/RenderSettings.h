@@ -13,9 +13,16 @@
 #include "source/integrate/CameraRays.h"
 #include "source/integrate/Integrators.h"
 #include "source/integrate/TraceSettings.h"
-#include "source/render/ImagePart.h"
 
 namespace ray {
+
+/// One of `of` parts of an image that several machines render together. Each block of the film belongs to one part, see
+/// PartsOfBlocks.
+struct ImagePart {
+  int index = 1, of = 1;  // 1-based, index <= of
+  friend bool operator==(const ImagePart&, const ImagePart&) = default;
+};
+inline constexpr int most_image_parts = 1 << 20;
 
 /// A limit of an image's error.
 struct ErrorTarget {

@@ -3,7 +3,6 @@
 #include <iterator>
 #include <utility>
 
-#include "R3/Transform.h"
 
 namespace ray {
 

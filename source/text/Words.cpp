@@ -1,8 +1,6 @@
 #include "source/text/Words.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <iterator>
 #include <sstream>
 #include <string_view>

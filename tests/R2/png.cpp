@@ -4,7 +4,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <array>
 
 #include "tests/BlackPng.h"
 #include "tests/R2/image_bytes.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <functional>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "source/sample/Random.h"

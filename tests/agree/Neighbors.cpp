@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "R2/ImageFile.h"
 #include "source/app/options/CommandLine.h"

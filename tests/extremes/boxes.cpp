@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "R3/ShapeKind.h"

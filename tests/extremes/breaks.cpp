@@ -9,7 +9,6 @@
 #include <fstream>
 #include <random>
 #include <set>
-#include <sstream>
 #include <thread>
 
 #include "tests/source/app/Program.h"

@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <random>
-#include <thread>
 
 #include "source/render/RenderState.h"
 #include "tests/Accelerators.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "R3/ShapeKind.h"
 #include "R3/shapes/Quadric.h"
 #include "tests/Draw.h"

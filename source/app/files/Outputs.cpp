@@ -13,7 +13,7 @@
 #include "source/app/report/Info.h"
 #include "source/app/report/Messages.h"
 #include "source/app/report/ReportJson.h"
-#include "source/render/LayerColors.h"
+#include "source/render/Layer.h"
 #include "source/text/EnumNames.h"
 #include "source/text/Quoting.h"
 

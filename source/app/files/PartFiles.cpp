@@ -11,7 +11,6 @@
 #include <map>
 
 #include "source/app/Status.h"
-#include "source/app/files/Checkpoint.h"
 #include "source/app/files/Outputs.h"
 #include "source/app/files/ReadInputs.h"
 #include "source/app/files/TemporaryFile.h"

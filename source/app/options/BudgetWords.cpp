@@ -1,7 +1,6 @@
 #include "source/app/options/BudgetWords.h"
 
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "source/text/Number.h"

@@ -1,6 +1,5 @@
 #include "source/app/options/CommandLine.h"
 
-#include <algorithm>
 #include <set>
 #include <vector>
 

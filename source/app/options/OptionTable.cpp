@@ -1,7 +1,6 @@
 #include "source/app/options/OptionTable.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace ray {
 namespace {

@@ -1,5 +1,4 @@
 // raypro and rayview, and their options.
-#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,7 +12,6 @@
 #include "source/app/options/OptionTable.h"
 #include "source/app/report/ProbeImage.h"
 #include "source/render/SceneFeatures.h"
-#include "source/render/forecast/ErrorForecast.h"
 #include "source/render/forecast/FinishForecast.h"
 #include "source/text/Words.h"
 

@@ -7,7 +7,6 @@
 #include "source/app/report/Check.h"
 #include "source/render/SceneFeatures.h"
 #include "source/sample/Sampler.h"
-#include "source/text/Quoting.h"
 
 namespace ray {
 namespace {

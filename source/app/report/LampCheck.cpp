@@ -9,7 +9,6 @@
 #include "source/integrate/lights/EmissiveShape.h"
 #include "source/integrate/lights/LightSource.h"
 #include "source/integrate/lights/TriangleLamp.h"
-#include "source/text/Quoting.h"
 #include "source/text/Words.h"
 
 namespace ray {

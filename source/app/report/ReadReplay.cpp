@@ -11,7 +11,6 @@
 #include "source/parse/SceneError.h"
 #include "source/parse/Text.h"
 #include "source/parse/document/Document.h"
-#include "source/render/Render.h"
 
 namespace ray {
 namespace {

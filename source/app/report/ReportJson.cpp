@@ -1,7 +1,6 @@
 #include "source/app/report/ReportJson.h"
 
 #include <algorithm>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "source/app/options/OptionTable.h"

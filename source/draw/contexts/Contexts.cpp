@@ -1,7 +1,6 @@
 #include <epoxy/gl.h>
 
 #include <array>
-#include <span>
 
 #include "source/draw/contexts/Context.h"
 #include "source/draw/contexts/ContextKind.h"

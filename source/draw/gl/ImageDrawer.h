@@ -3,7 +3,6 @@
 #include <array>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "source/draw/gl/Gpu.h"
 #include "source/draw/gl/ShaderProgram.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "R3/Mesh.h"
 #include "R3/Warp.h"
 
 namespace ray {

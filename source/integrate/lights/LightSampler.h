@@ -3,7 +3,6 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
-#include <vector>
 
 #include "source/integrate/TraceSettings.h"
 #include "source/integrate/lights/EmissionBounds.h"

@@ -1,6 +1,5 @@
 #include "source/integrate/shading/Bsdf.h"
 
-#include "R1/Elementary.h"
 #include "R3/Warp.h"
 #include "source/integrate/shading/Refract.h"
 

@@ -1,7 +1,5 @@
 #include "source/integrate/shading/ShadingPoints.h"
 
-#include <cmath>
-
 #include "R1/Columns.h"
 #include "R3/FlatTriangle.h"
 #include "R3/Numeric.h"

@@ -1,6 +1,5 @@
 #include "source/parse/document/Document.h"
 
-#include <algorithm>
 
 namespace ray {
 namespace {

@@ -1,7 +1,6 @@
 #include "source/parse/document/Mapping.h"
 
 #include <algorithm>
-#include <array>
 
 #include "source/parse/Coordinate.h"
 #include "source/text/LookAlike.h"

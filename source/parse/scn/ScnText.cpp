@@ -12,7 +12,6 @@
 #include "source/parse/scn/QuotedName.h"
 #include "source/scene/CameraText.h"
 #include "source/text/NumberText.h"
-#include "source/text/Quoting.h"
 
 namespace ray {
 namespace {

@@ -1,5 +1,3 @@
-#include <array>
-
 #include "source/parse/scn/ScnReader.h"
 
 namespace ray {

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "R3/Numeric.h"
 #include "source/scene/Light.h"
 #include "source/scene/lights/LightParts.h"

@@ -11,7 +11,6 @@
 #include "source/parse/Files.h"
 #include "source/text/Number.h"
 #include "source/text/NumberText.h"
-#include "source/view/ViewerState.h"
 #include "source/view/commands/Commands.h"
 #include "source/view/edit/SceneFiles.h"
 

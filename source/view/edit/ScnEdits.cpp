@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "R3/ShapeKind.h"
-#include "source/parse/Files.h"
 #include "source/parse/scn/QuotedName.h"
 #include "source/scene/CameraText.h"
 #include "source/scene/Light.h"

@@ -8,7 +8,7 @@
 #include "R2/ImageFile.h"
 #include "source/integrate/Integrators.h"
 #include "source/integrate/debug/Heat.h"
-#include "source/render/LayerColors.h"
+#include "source/render/Layer.h"
 #include "source/text/EnumNames.h"
 #include "source/view/commands/Commands.h"
 #include "source/view/panels/Panel.h"

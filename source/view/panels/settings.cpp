@@ -1,7 +1,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "source/view/commands/Commands.h"

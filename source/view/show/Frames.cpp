@@ -1,12 +1,11 @@
 #include "source/view/show/Show.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "R1/Elementary.h"
 #include "source/inspect/ImageLines.h"
-#include "source/render/LayerColors.h"
+#include "source/render/Layer.h"
 #include "source/view/commands/Commands.h"
 
 namespace ray {

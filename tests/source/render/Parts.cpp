@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <random>
-#include <set>
 
 #include "source/accelerate/twolevel/InstructionSet.h"
 #include "source/app/options/CommandLine.h"

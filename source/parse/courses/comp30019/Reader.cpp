@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <limits>
 #include <utility>
 
 #include "R3/ShapeKind.h"
 #include "source/parse/Coordinate.h"
 #include "source/parse/Format.h"
-#include "source/parse/Tokenizer.h"
 #include "source/parse/courses/comp30019/View.h"
 #include "source/parse/scn/Command.h"
 #include "source/text/LowerCase.h"

@@ -1,7 +1,6 @@
 #include "source/parse/courses/cs315/Cs315Reader.h"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "R1/Elementary.h"

@@ -1,7 +1,6 @@
 #include "R3/Placement.h"
 #include "source/parse/courses/groningen/GroningenReader.h"
 #include "source/parse/courses/objects/SharedKeys.h"
-#include "source/text/LowerCase.h"
 #include "source/text/Words.h"
 
 namespace ray {

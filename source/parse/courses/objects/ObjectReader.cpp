@@ -1,7 +1,6 @@
 #include "source/parse/courses/objects/ObjectReader.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "R3/Placement.h"
 #include "source/parse/CsgOf.h"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include "R3/Mesh.h"
 #include "R3/Placement.h"

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
-#include <optional>
 
 #include "tests/source/view/panels/PanelTest.h"
 

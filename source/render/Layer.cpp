@@ -1,4 +1,4 @@
-#include "source/render/LayerColors.h"
+#include "source/render/Layer.h"
 
 #include <algorithm>
 #include <limits>
