@@ -50,6 +50,7 @@ setup.sh by .github/workflows/weekly.yml
 tarball.sh $build $work
 thumbnails.sh -check
 time_scenes.sh -size 8 scenes/sphere.scn
+mitsuba_times.py by script/time_to_error.sh
 time_to_error.sh -size 8 -seconds 1 -references $work/time room
 tradeoff.sh -size 8 -seeds 1 -search 1 hello
 tradeoff_plots.sh by script/tradeoff.sh

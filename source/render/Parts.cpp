@@ -97,7 +97,6 @@ RenderState ForPartFile(RenderState&& state) {
   RenderState kept = std::move(state);
   kept.passes.clear();
   kept.differences = {};
-  kept.schedule.last_squared_errors.clear();
   return kept;
 }
 

@@ -33,7 +33,7 @@ struct ErrorTarget {
 
 /// The distribution of samples over the image.
 ///   off         every pixel takes equally many samples
-///   tile        only blocks of 8x8 pixels continue whose error, or a neighbor's, is above the target
+///   tile        only blocks of 8x8 pixels continue that need more samples, in proportion to their samples' deviation
 ///   automatic   tile with a target, otherwise off
 ///   neighbors   without a budget, after one sample only those blocks continue, to all of their samples, in which
 ///               neighboring pixels differ

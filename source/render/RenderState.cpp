@@ -13,7 +13,7 @@
 namespace ray {
 namespace {
 
-constexpr std::string_view magic = "raypro checkpoint 5\n";
+constexpr std::string_view magic = "raypro checkpoint 6\n";
 
 std::uint64_t Checksum(std::span<const unsigned char> bytes) {
   Hash hash;
@@ -135,7 +135,6 @@ Pass TakePass(Reader& reader) {
 void PutSchedule(Writer& writer, const ScheduleState& schedule) {
   writer.PutAll(schedule.targets.samples);
   writer.PutIfAny(schedule.targets.places);
-  writer.PutIfAny(schedule.last_squared_errors);
   writer.Put(schedule.end);
 }
 
@@ -144,7 +143,6 @@ ScheduleState TakeSchedule(Reader& reader, int blocks) {
   schedule.targets.samples.resize(static_cast<std::size_t>(blocks));
   reader.TakeAll(schedule.targets.samples);
   reader.TakeIfAny(schedule.targets.places, blocks);
-  reader.TakeIfAny(schedule.last_squared_errors, blocks);
   schedule.end = reader.Take<std::uint32_t>();
   return schedule;
 }
@@ -202,7 +200,6 @@ void CheckSchedule(const ScheduleState& schedule, std::uint32_t most) {
           "more samples due than its settings allow");
   Require(std::ranges::all_of(targets.places, [](int places) { return places <= BlockOrder::places; }),
           "more places due than a block has");
-  Require(AreSquares(schedule.last_squared_errors), "a squared error that is negative");
 }
 
 void CheckPass(const Pass& pass, std::uint32_t most) {

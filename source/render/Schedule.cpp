@@ -22,9 +22,6 @@ constexpr double share_of_time_at_once = 0.6;         // of the time left, for a
 constexpr double share_of_time_not_used = 0.01;       // too little for another pass
 constexpr double seconds_without_news = 1;            // limit for taking the first sample of all pixels in one pass
 constexpr double fall_of_error = 0.75;                // error ~ samples^-this, to estimate the required samples
-// No block stops early if blocks that seem good enough may contain more than this share of the squared error: see
-// HidesAnywhere.
-constexpr double most_surprise = 0.05;
 
 bool HasCeiling(const RenderSettings& settings) { return !settings.budget.IsOpen() || settings.samples > 1; }
 
@@ -150,7 +147,7 @@ std::optional<Stop> Schedule::Next(const PassOutcome& pass) {
   const std::uint32_t next = noisy ? NextEndIfDenoised(*error, *noisy) : NextEnd(error);
   std::uint32_t end = goes_as_far_as_time ? ceiling_ : std::min(ceiling_, next);
   std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
-  if (error && budget_.adaptive != Adaptive::off) targets = ChooseBlocks(end, *error);
+  if (error && budget_.adaptive != Adaptive::off) targets = ChooseBlocks(end, *error, noisy);
   // After a pass that was shortened for some blocks, others may already have more.
   for (std::size_t i = 0; i < targets.size(); ++i) targets[i] = std::max(targets[i], state_.targets.samples[i]);
   if (targets == state_.targets.samples) return Stop::samples;
@@ -266,60 +263,54 @@ std::uint32_t Schedule::NextEndIfDenoised(const MeasuredError& error, const Meas
   return RoundedUp(std::min(most_growth, margin * error.square_high / target));
 }
 
-/// Returns targets with which only blocks continue whose error, or a neighbor's, is above the target. A single
-/// measurement may be small by chance, so a block stops only after two in a row.
-std::vector<std::uint32_t> Schedule::ChooseBlocks(std::uint32_t end, const MeasuredError& error) {
-  constexpr double fall = 0.5;  // assumed minimum ratio of a squared error when the samples are doubled
-  const double target = SquaredTargetOf(error);
-  const std::vector<double>& last = state_.last_squared_errors;
-  std::vector<double> squares = error.square_of_blocks;
-  const bool has_looked_before = !last.empty();
-  const bool hides_anywhere = HidesAnywhere(error, squares);
-  for (double& square : squares) square = std::max(0.0, square);  // they may be negative for a denoised image
-  std::vector<double> now = squares;
-  for (std::size_t i = 0; i < last.size(); ++i) squares[i] = std::max(squares[i], fall * last[i]);
-  state_.last_squared_errors = std::move(now);
+/// Returns the deviation of a sample in each block. A measurement may be small by chance, so it counts as at least half
+/// of a neighbor's; and no block of a denoised image counts as better filtered than the image.
+///   noisy   the error without denoising; null if the image is not denoised
+std::vector<double> Schedule::DeviationsOf(const MeasuredError& error, const MeasuredError* noisy) const {
+  constexpr double share_of_neighbor = 0.5;
+  const double share_of_noise = noisy && noisy->square > 0 ? error.square / noisy->square : 0;
+  const int columns = blocks_.columns, rows = static_cast<int>(blocks_.areas.size()) / columns;
+  const auto measured = [&](int row, int column) {
+    const auto block = static_cast<std::size_t>(row * columns + column);
+    const double least = noisy ? share_of_noise * noisy->square_of_blocks[block] : 0;
+    // Differences of squares may be negative.
+    return std::sqrt(std::max({0.0, least, error.square_of_blocks[block]}) * state_.targets.samples[block]);
+  };
+  std::vector<double> deviations;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      double deviation = measured(row, column);
+      for (int r = std::max(0, row - 1); r <= std::min(rows - 1, row + 1); ++r)
+        for (int c = std::max(0, column - 1); c <= std::min(columns - 1, column + 1); ++c)
+          deviation = std::max(deviation, share_of_neighbor * measured(r, c));
+      deviations.push_back(deviation);
+    }
+  return deviations;
+}
 
-  std::vector<std::uint32_t> targets(blocks_.areas.size(), end);
-  if (!has_looked_before || hides_anywhere) return targets;
+/// Returns targets with which only blocks continue that have fewer samples than the best allocation gives them. The
+/// fewest samples that reach a squared error are in proportion to the deviations:
+///     samples = deviation * mean deviation / squared error.
+/// If all blocks have these, but the interval's upper end is still above the target, they are allocated for half of the
+/// squared error, and so on. To find rare light, no deviation counts as less than a quarter of the mean; and all blocks
+/// continue while light that no sample has found may be an important part of the error.
+///   source   Neyman, On the two different aspects of the representative method (1934)
+std::vector<std::uint32_t> Schedule::ChooseBlocks(std::uint32_t end, const MeasuredError& error,
+                                                  const MeasuredError* noisy) const {
+  constexpr double most_unseen = 0.05, least_share_of_mean = 0.25;
+  const std::vector<std::uint32_t>& done = state_.targets.samples;
+  std::vector<std::uint32_t> targets(done.size(), end);
+  const std::vector<double> deviations = DeviationsOf(error, noisy);
+  const double mean = std::inner_product(deviations.begin(), deviations.end(), blocks_.areas.begin(), 0.0) / pixels_;
+  if (error.estimate.unseen_share > most_unseen || !(mean > 0)) return targets;
   bool any = false;
-  for (double limit = target; !any && limit > 0; limit /= 2)
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      const bool is_open = IsOpen(i, squares, limit);
-      targets[i] = is_open ? end : state_.targets.samples[i];
+  for (double square = SquaredTargetOf(error); !any && square > 0; square /= 2)
+    for (std::size_t i = 0; i < done.size(); ++i) {
+      const bool is_open = std::max(deviations[i], least_share_of_mean * mean) * mean > square * done[i];
+      targets[i] = is_open ? end : done[i];
       any |= is_open;
     }
   return targets;
-}
-
-bool Schedule::IsOpen(std::size_t block, const std::vector<double>& squares, double limit) const {
-  const int columns = blocks_.columns, rows = static_cast<int>(blocks_.areas.size()) / columns;
-  const int column = static_cast<int>(block) % columns, row = static_cast<int>(block) / columns;
-  for (int r = std::max(0, row - 1); r <= std::min(rows - 1, row + 1); ++r)
-    for (int c = std::max(0, column - 1); c <= std::min(columns - 1, column + 1); ++c)
-      if (squares[static_cast<std::size_t>(r * columns + c)] > limit) return true;
-  return false;
-}
-
-/// Returns true if light is found so rarely that the blocks in which it will be found next are unknown. That is the
-/// case if no sample has found light that may exist, which raises the upper end of the error but of no block; or if
-/// most of the error is in outliers, and blocks that seemed good enough before the last pass now contain much of it.
-/// (Along the edge of a light few pixels contain the error as well, but they stay few.)
-bool Schedule::HidesAnywhere(const MeasuredError& error, const std::vector<double>& squares) const {
-  if (error.estimate.unseen_share > most_surprise) return true;
-  return error.estimate.IsMostlyOutliers() && ShareOfSurprise(squares, SquaredTargetOf(error)) > most_surprise;
-}
-
-/// Returns the share of the squared error in blocks that would have stopped before the last pass; 1 before there was
-/// one.
-double Schedule::ShareOfSurprise(const std::vector<double>& squares, double target) const {
-  if (state_.last_squared_errors.empty()) return 1;
-  double surprise = 0, all = 0;
-  for (std::size_t i = 0; i < squares.size(); ++i) {
-    all += squares[i];
-    if (!IsOpen(i, state_.last_squared_errors, target)) surprise += squares[i];
-  }
-  return all > 0 ? surprise / all : 0;
 }
 
 /// Returns the seconds until the image has to be finished.

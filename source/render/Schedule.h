@@ -57,8 +57,6 @@ struct PassOutcome {
 /// The state of a schedule, saved in checkpoints.
 struct ScheduleState {
   PassTargets targets;  // of the current pass
-  // of the blocks, when that pass was chosen; empty if they were not measured
-  std::vector<double> last_squared_errors;
   std::uint32_t end = 0;  // target of the blocks that take part in the pass
 };
 
@@ -112,10 +110,9 @@ class Schedule {
   std::uint32_t NextEnd(const MeasuredError* error) const;
   std::uint32_t NextEndIfDenoised(const MeasuredError& error, const MeasuredError& noisy) const;
   std::uint32_t RoundedUp(double growth) const;
-  std::vector<std::uint32_t> ChooseBlocks(std::uint32_t end, const MeasuredError& error);
-  bool IsOpen(std::size_t block, const std::vector<double>& squares, double limit) const;
-  bool HidesAnywhere(const MeasuredError& error, const std::vector<double>& squares) const;
-  double ShareOfSurprise(const std::vector<double>& squares, double target) const;
+  std::vector<double> DeviationsOf(const MeasuredError& error, const MeasuredError* noisy) const;
+  std::vector<std::uint32_t> ChooseBlocks(std::uint32_t end, const MeasuredError& error,
+                                          const MeasuredError* noisy) const;
   std::uint32_t ShortenToTime(std::vector<std::uint32_t>& targets, std::uint32_t end, const PassOutcome& pass) const;
   double SquaredTargetOf(const MeasuredError& error) const;
 

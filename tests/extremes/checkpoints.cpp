@@ -182,8 +182,6 @@ TEST(Extremes, L9_ACheckpointWithNumbersThatNoRenderKeepsIsRefused) {
       [](State& s) { s.schedule.targets.samples[3] = 0; },
       [](State& s) { s.schedule.end = 4'000'000'000; },
       [](State& s) { s.schedule.end = 0; },
-      [](State& s) { s.schedule.last_squared_errors.assign(s.blocks.size(), nan); },
-      [](State& s) { s.schedule.last_squared_errors.assign(s.blocks.size(), -1); },
       [](State& s) {
         s.passes.push_back({1u << 31, 1, 1, {}});
       },

@@ -343,7 +343,7 @@ std::vector<OptionKind> QualityOptions() {
       {"adaptive", both, budget | in_scenes | before_budgets |
        Needs{needs::error_of_tiles, needs::samples_of_neighbors},
        {}, {"name"}, OneOfEnum<Adaptive>(AT(render.budget.adaptive)), "", "quality",
-       "auto, tile: with -error, refine only blocks above it; neighbors: only uneven blocks"},
+       "auto, tile: with -error, more samples for noisy blocks; neighbors: only uneven blocks"},
       {"reference", raypro, run | one_image | whole_image,
        {}, {"file[,file2]"}, FileList{AT(files.reference), FileKind::image}, "", "quality",
        "print the true error against an image, or two independent ones, of the same scene"},

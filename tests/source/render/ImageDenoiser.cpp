@@ -347,12 +347,12 @@ RenderSettings IndirectToError(double error) {
 
 TEST(ImageDenoiser, AnErrorTargetIsReachedByTheDenoisedImage) {
   const project::Stage stage = Room();
-  RenderSettings settings = IndirectToError(3);
+  RenderSettings settings = IndirectToError(2);
   const RenderResult denoised = project::Render(stage, settings);
   EXPECT_EQ(denoised.stop, Stop::error);
-  EXPECT_LE(denoised.error->high, 3);
+  EXPECT_LE(denoised.error->high, 2);
   EXPECT_EQ(denoised.passes.back().error->high, denoised.error->high) << "passes have the error that decides";
-  EXPECT_GT(denoised.error_before_denoising->estimate, 3);
+  EXPECT_GT(denoised.error_before_denoising->estimate, 2);
   settings.denoise = false;
   const RenderResult noisy = project::Render(stage, settings);
   EXPECT_GT(noisy.samples.mean, 2 * denoised.samples.mean);

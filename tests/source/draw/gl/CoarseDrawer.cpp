@@ -25,6 +25,7 @@ class CoarseDrawing : public ray::testing::WithPainter {
     ray::Viewer viewer(
         settings, std::make_shared<const ray::LoadedScene>(settings.scene, settings.parse, settings.accelerator), host);
     viewer.Handle(ray::KeyEvent{ray::Key::l, {}, true});  // lines
+    viewer.WaitForFaces();
     ray::FrameState shown = viewer.Show();
     shown.panels.reset();  // labels
     shown.detail.pixel_step = step;
