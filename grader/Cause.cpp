@@ -138,11 +138,11 @@ void TryFactor(Search& search, const Image& image, const Image& reference) {
   if (!(squares > 0)) return;
   const double factor = products / squares;
   search.Try(EachColor(reference, [&](const Color& c) { return factor * c; }), "scaled",
-             "every value is " + Rounded(factor, 3) + " times that of the reference",
+             "every value is " + Plain(factor, 3) + " times that of the reference",
              "Is there a constant factor, such as pi or a number of samples?");
   if (!(factor > 0)) return;
   search.TryInReference(EachColor(image, [&](const Color& c) { return c / factor; }), "scaled",
-                        "every value is " + Rounded(1 / factor, 3) + " times that of the image",
+                        "every value is " + Plain(1 / factor, 3) + " times that of the image",
                         "Does the image lack a factor, such as pi?");
 }
 

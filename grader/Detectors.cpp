@@ -46,14 +46,18 @@ const Mistake* Named(std::string_view name) {
 }
 
 std::string PercentOf(std::int64_t count, const Comparison& found) {
-  return Rounded(100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::int64_t>(1, found.steady)), 2) +
+  return Plain(100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::int64_t>(1, found.steady)), 2) +
          "%";
 }
 
 }  // namespace
 
+bool IsBlack(const R2::Image& image) {
+  return std::ranges::all_of(image.Channels(), [](float channel) { return channel < dark; });
+}
+
 std::optional<std::string> EmptyRemark(const R2::Image& image) {
-  if (std::ranges::all_of(image.Channels(), [](float channel) { return channel < dark; }))
+  if (IsBlack(image))
     return "The whole image is black. Does the camera look at the scene, and does a camera ray find a hit at t > 0?";
   if (IsOfOneColor(image))
     return "The whole image has one color. Is the color of each pixel stored, and are camera rays different?";

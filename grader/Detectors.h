@@ -7,6 +7,7 @@
 
 namespace ray::grade {
 
+bool IsBlack(const R2::Image& image);
 /// Returns a sentence about an image that is black or has one color.
 std::optional<std::string> EmptyRemark(const R2::Image& image);
 

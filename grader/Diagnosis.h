@@ -26,8 +26,9 @@ struct Hypothesis {
 struct Diagnosis {
   enum class Kind {
     right,      // no scene differs
-    named,      // the causes explain the whole difference, at least in every scene that they change
-    resembles,  // the causes explain most of the difference, but not enough to be named
+    named,      // the causes explain the whole difference
+    in_part,    // the causes explain every scene that they change, but other scenes differ too
+    resembles,  // the causes explain most of the difference
     unknown
   };
 
@@ -47,9 +48,9 @@ inline constexpr double least_share = 0.95;
 /// Finds the causes of the differences in a student's images.
 ///
 /// Tries simple changes of the image, every mistake, pairs, and threes that begin with the best pair. A hypothesis must
-/// fit all scenes together: those that differ must have at most 5% of their squared difference left, and 15% of the
-/// pixels that differ, and it must not change those that are right. The remainder is compared with that of the best
-/// simple change.
+/// fit all scenes together: those that differ must have at most 5% of their squared difference left, on at most twice
+/// the pixels that a right image may have wrong, and it must not change those that are right. The remainder is compared
+/// with that of the best simple change.
 Diagnosis Diagnose(std::span<const Exhibit> exhibits);
 
 /// Returns the image of a scene with the causes, as displayed; the reference if they do not apply.

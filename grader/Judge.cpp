@@ -12,7 +12,7 @@ namespace {
 
 using Outcome = SceneResult::Outcome;
 
-std::string Percent(double share) { return Rounded(100 * share, 3) + "%"; }
+std::string Percent(double share) { return Plain(100 * share, 3) + "%"; }
 
 std::string Differing(const SceneResult& result) { return Percent(result.percent / 100) + " of the pixels differ"; }
 
@@ -57,18 +57,20 @@ std::vector<double> LossesOfJpeg(const SceneImages& images, Encoding encoding) {
 /// Returns a sentence about acne, if there is any.
 std::optional<std::string> AcneRemark(double percent) {
   if (!(percent > 0)) return {};
-  return "Shadow acne: single pixels (" + Rounded(percent, 2) +
+  return "Shadow acne: single pixels (" + Plain(percent, 2) +
          "%) are too dark on lit, smooth surfaces. A shadow ray that starts on a surface hits it again by rounding; "
          "start it a little off the surface.";
 }
 
 /// Sets the outcome and the remarks of a scene that differs from the verdict on all scenes.
 void ApplyTo(SceneResult& result, const Exhibit& exhibit, const Diagnosis& diagnosis, std::size_t i) {
-  const bool is_named = diagnosis.kind == Diagnosis::Kind::named;
+  using enum Diagnosis::Kind;
+  const bool has_cause = diagnosis.kind == named || diagnosis.kind == in_part;
+  const bool is_known = has_cause && diagnosis.explains[i] && diagnosis.shown[i].Size() > 0;
   result.remarks.clear();
-  const auto terminator = is_named && diagnosis.explains[i] && diagnosis.shown[i].Size() > 0
-                              ? std::nullopt
-                              : TerminatorRemark(exhibit.student, exhibit.found, *exhibit.images);
+  result.note.clear();
+  const auto terminator =
+      is_known ? std::nullopt : TerminatorRemark(exhibit.student, exhibit.found, *exhibit.images);
   if (terminator) {
     result.remarks.push_back(*terminator);
     result.note = "terminator";
@@ -76,21 +78,22 @@ void ApplyTo(SceneResult& result, const Exhibit& exhibit, const Diagnosis& diagn
     result.remarks.push_back(*acne);
     result.note = "acne";
   }
-  if (is_named && diagnosis.explains[i] && diagnosis.shown[i].Size() > 0) {
+  if (is_known) {
     result.outcome = Outcome::known_mistake;
     result.mistakes = diagnosis.shown[i].Names();
     result.explained = diagnosis.share;
     result.headline = Differing(result) + ", as with: " + diagnosis.shown[i].Titles() + ".";
   } else if (!diagnosis.explains[i] && result.note.empty()) {
-    if (const auto cracks = CrackRemark(exhibit.student, exhibit.found, *exhibit.images)) {
+    if (const auto empty = EmptyRemark(exhibit.student.image)) {
+      result.remarks.push_back(*empty);
+      result.note = "empty";
+    } else if (const auto cracks = CrackRemark(exhibit.student, exhibit.found, *exhibit.images)) {
       result.remarks.push_back(*cracks);
       result.note = "cracks";
     } else {
       result.remarks.emplace_back(
-          is_named && diagnosis.shown[i].Size() > 0
-              ? "The cause above explains a part of it. Begin with the pixel below."
-              : "No mistake that raygrade knows causes such an image. Begin with the pixel below: "
-                "what do your rays do there?");
+          "No mistake that raygrade knows causes such an image. Begin with the pixel below: "
+          "what do your rays do there?");
     }
   }
 }
@@ -100,7 +103,7 @@ std::string BestScene(std::span<const Exhibit> exhibits, const Diagnosis& diagno
   const Exhibit* best = nullptr;
   for (std::size_t i = 0; i < exhibits.size(); ++i)
     if (!exhibits[i].is_right && diagnosis.shown[i].Size() > 0 &&
-        (diagnosis.explains[i] || diagnosis.kind != Diagnosis::Kind::named) &&
+        (diagnosis.explains[i] || diagnosis.kind == Diagnosis::Kind::resembles) &&
         (!best || exhibits[i].found.worst > best->found.worst))
       best = &exhibits[i];
   return best ? best->images->scene().name : "";
@@ -109,6 +112,7 @@ std::string BestScene(std::span<const Exhibit> exhibits, const Diagnosis& diagno
 StudentVerdict VerdictOf(std::span<const Exhibit> exhibits, const Diagnosis& diagnosis) {
   StudentVerdict verdict;
   const bool is_right = std::ranges::all_of(exhibits, [](const Exhibit& exhibit) { return exhibit.is_right; });
+  const std::string looks_like = "Looks most like: " + diagnosis.causes.Titles() + ". But that is not all of it: ";
   std::vector<std::string> shown_by, unexplained;
   for (std::size_t i = 0; i < exhibits.size(); ++i) {
     if (exhibits[i].is_right) continue;
@@ -128,18 +132,20 @@ StudentVerdict VerdictOf(std::span<const Exhibit> exhibits, const Diagnosis& dia
       verdict.scenes = shown_by;
       verdict.best_scene = BestScene(exhibits, diagnosis);
       verdict.remarks = HintsOf(diagnosis.causes);
-      if (!unexplained.empty())
-        verdict.remarks.push_back("It does not explain the whole difference in: " +
-                                  JoinedWith(unexplained, ", ") + ".");
       std::vector<std::string> others;
       for (const Hypothesis& other : diagnosis.alternatives) others.push_back(other.Titles());
       if (!others.empty())
         verdict.remarks.push_back("In these scenes it looks the same as: " + JoinedWith(others, "; ") + ".");
       return verdict;
     }
+    case Diagnosis::Kind::in_part:
+      verdict.headline = looks_like + "it does not explain the difference in " + JoinedWith(unexplained, ", ") + ".";
+      verdict.scenes = shown_by;
+      verdict.best_scene = BestScene(exhibits, diagnosis);
+      verdict.remarks = HintsOf(diagnosis.causes);
+      return verdict;
     case Diagnosis::Kind::resembles:
-      verdict.headline = "The images resemble a mistake, which does not explain everything: " +
-                         diagnosis.causes.Titles() + " (" + Percent(diagnosis.share) + " of the difference).";
+      verdict.headline = looks_like + "it explains " + Percent(diagnosis.share) + " of the difference.";
       verdict.remarks = HintsOf(diagnosis.causes);
       verdict.best_scene = BestScene(exhibits, diagnosis);
       return verdict;
@@ -207,44 +213,49 @@ Findings JudgeTogether(std::span<const HandedIn> handed_in, const Suite& suite, 
   const Encoding encoding = EncodingOf(handed_in);
   std::vector<Exhibit> exhibits = ExhibitsOf(handed_in, encoding);
   std::vector<std::size_t> scenes;
-  std::string empty;
+  std::string of_empty;
+  bool has_evidence = false;
   std::vector<Exhibit> kept;
   for (std::size_t i = 0; i < exhibits.size(); ++i) {
     SceneResult& result = student.scenes[handed_in[i].scene];
     JudgeAlone(exhibits[i], suite, result);
-    const auto remark = exhibits[i].is_right ? std::nullopt : EmptyRemark(exhibits[i].student.image);
+    // Images of one color are evidence only together with others: too many causes make them. Black ones never are.
+    const R2::Image& image = exhibits[i].student.image;
+    const auto remark = exhibits[i].is_right ? std::nullopt : EmptyRemark(image);
     if (remark) {
       result.remarks = {*remark};
       result.note = "empty";
-      empty = *remark;
-      continue;
+      of_empty = *remark;
+      if (IsBlack(image)) continue;
     }
+    has_evidence |= !remark;
     scenes.push_back(handed_in[i].scene);
     kept.push_back(std::move(exhibits[i]));
   }
   StudentVerdict& verdict = student.verdict;
-  if (kept.empty()) {
+  if (!has_evidence) {
     verdict = {};
-    verdict.headline = !empty.empty() ? empty : "There is no image to compare.";
+    verdict.headline = !of_empty.empty() ? of_empty : "There is no image to compare.";
     return {encoding, {}};
   }
   const Diagnosis diagnosis = Diagnose(kept);
   verdict = VerdictOf(kept, diagnosis);
-  std::vector<std::string> with_acne, failed;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     SceneResult& result = student.scenes[scenes[i]];
     if (!kept[i].is_right) ApplyTo(result, kept[i], diagnosis, i);
     result.score = ScoreOf(result, suite);
+  }
+  std::vector<std::string> with_acne, empty, failed;
+  for (const SceneResult& result : student.scenes) {
     if (result.note == "acne") with_acne.push_back(result.scene);
-  }
-  for (const SceneResult& result : student.scenes)
+    if (result.note == "empty") empty.push_back(result.scene);
     if (result.outcome == Outcome::failed) failed.push_back(result.scene);
-  if (!with_acne.empty()) verdict.remarks.push_back("Shadow acne in: " + JoinedWith(with_acne, ", ") + ".");
-  if (!empty.empty()) verdict.remarks.push_back("Some images have a single color.");
-  if (!failed.empty()) {
-    if (diagnosis.kind == Diagnosis::Kind::right) verdict.headline = "All existing images are right.";
-    verdict.remarks.push_back("Without an image: " + JoinedWith(failed, ", ") + ".");
   }
+  if (diagnosis.kind == Diagnosis::Kind::right && !(empty.empty() && failed.empty()))
+    verdict.headline = "All other images are right.";
+  if (!with_acne.empty()) verdict.remarks.push_back("Shadow acne in: " + JoinedWith(with_acne, ", ") + ".");
+  if (!empty.empty()) verdict.remarks.push_back("Of a single color: " + JoinedWith(empty, ", ") + ".");
+  if (!failed.empty()) verdict.remarks.push_back("Without an image: " + JoinedWith(failed, ", ") + ".");
   if (encoding != Encoding::linear)
     verdict.remarks.push_back(std::string("The images are gamma encoded (") +
                               (encoding == Encoding::srgb ? "sRGB" : "power 1/2.2") +

@@ -37,7 +37,7 @@ std::string ShownBy(std::vector<std::unique_ptr<SceneImages>>& scenes, const Mis
     const double percent = PercentChanged(*images, mistakes);
     most = std::max(most, percent);
     if (percent > images->scene().allowed)
-      text += (text.empty() ? "" : ", ") + images->scene().name + " " + Rounded(percent, 2) + "%";
+      text += (text.empty() ? "" : ", ") + images->scene().name + " " + Plain(percent, 2) + "%";
   }
   return text;
 }
@@ -67,7 +67,8 @@ void TryOne(std::vector<std::unique_ptr<SceneImages>>& scenes, const Suite& suit
       row.outcome = by_name;
       row.named = row.mistakes;
     } else {
-      row.outcome = !findings.diagnosis ? empty : silent;
+      const bool has_other_images = findings.diagnosis && findings.diagnosis->kind != Diagnosis::Kind::right;
+      row.outcome = has_other_images ? silent : empty;
     }
   }
   ++counts.of[static_cast<std::size_t>(row.outcome)];

@@ -15,7 +15,7 @@ struct MatrixRow {
   enum class Outcome {
     by_name,     // the mistakes are named
     same_image,  // a cause that makes the same images is named
-    empty,       // the images are black or of one color, which a rule reports before mistakes are tried
+    empty,       // all images that differ are black or of one color, which a rule reports
     wrong,       // another cause is named
     silent,      // no cause is named
     invisible    // no scene shows it

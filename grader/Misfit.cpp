@@ -85,7 +85,7 @@ Exhibit MakeExhibit(SceneImages& images, Submission student) {
   return exhibit;
 }
 
-std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image, const std::vector<bool>* own_steady) {
+std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image, const std::vector<double>* own_spread) {
   constexpr double rounding = 1.5 / 255;
   // of the steady pixels: fewer would not represent the others
   constexpr double enough = 0.4;
@@ -96,26 +96,24 @@ std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image, const s
   const bool has_pixels = images.CellSide() == 1;
   std::vector<Cell> kinds(student.tolerance.size(), Cell::ignored);
   std::vector<double> squares(student.tolerance.size(), 0.0);
-  double steady = 0, calm = 0, unsteady = 0;
+  double steady = 0, calm = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const std::size_t i = CellIndex(cells, x, y);
       if (has_pixels && !images.Steady()[i]) continue;
-      if (has_pixels && own_steady && !(*own_steady)[i]) {
-        ++unsteady;
-        continue;
-      }
       ++steady;
-      const bool is_calm = !has_pixels || own_steady || IsCalm(cells, reference, x, y);
+      const double spread = has_pixels && own_spread ? (*own_spread)[i] : 0;
+      const bool is_calm =
+          spread <= images.scene().tolerance && (!has_pixels || own_spread || IsCalm(cells, reference, x, y));
       calm += is_calm;
       const R2::Color color = student.cells.At(x, y);
-      const R2::Color d = is_calm ? color - cells.At(x, y) : BeyondNeighbors(cells, x, y, color);
-      const double allowed = rounding + student.tolerance[i] - images.scene().tolerance;
+      const R2::Color d = is_calm || own_spread ? color - cells.At(x, y) : BeyondNeighbors(cells, x, y, color);
+      const double tolerance = student.tolerance[i] + spread, allowed = rounding + tolerance - images.scene().tolerance;
       squares[i] = SquareBeyond(d.r, allowed) + SquareBeyond(d.g, allowed) + SquareBeyond(d.b, allowed);
-      const bool differs = LargestChannel(d) > student.tolerance[i];
+      const bool differs = LargestChannel(d) > tolerance;
       kinds[i] = !differs ? Cell::same : Luminance(d) < 0 ? Cell::darker : Cell::other;
     }
-  if (!(calm > enough * (steady + unsteady))) return {};
+  if (!(calm > enough * steady)) return {};
   const Texture texture = TextureOf(kinds, width, height);
   const bool has_acne = has_pixels && texture.IsAcne();
   Fit fit;

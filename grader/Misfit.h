@@ -25,7 +25,8 @@ Exhibit MakeExhibit(SceneImages& images, Submission student);
 
 /// Returns std::nullopt if most pixels are at edges, where almost anything fits.
 ///   image    as displayed
-///   steady   the steady pixels of the image itself: if given, only these count, and edges need no further care
-std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image, const std::vector<bool>* steady = nullptr);
+///   spread   the change of the image within each of its pixels: if given, a pixel may differ by that much more, and
+///            edges need no further care
+std::optional<Fit> FitOf(const Exhibit& exhibit, const R2::Image& image, const std::vector<double>* spread = nullptr);
 
 }  // namespace ray::grade

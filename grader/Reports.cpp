@@ -249,7 +249,7 @@ std::string StudentPage(const StudentResult& student, const Suite& suite, const 
                      Overview(student) +
       "<p>Only steady pixels are compared: those that do not change when the camera is moved by less than "
       "half a pixel. Differences of rounding, and at edges, do not count. A cause is named if it explains "
-      "more than 95% of the difference in every scene that it changes.</p>\n";
+      "more than 95% of the difference in every scene.</p>\n";
   body += BuildSection(student);
   for (const SceneResult& scene : student.scenes)
     body += SceneSection(scene, scene.scene != student.verdict.best_scene);

@@ -141,14 +141,12 @@ void SceneImages::FindSteadyPixels() {
     }
 }
 
-std::vector<bool> SceneImages::SteadyWith(const MistakeList& mistakes) {
-  const auto kept = steady_with_.find(mistakes);
-  if (kept != steady_with_.end()) return kept->second;
+std::vector<double> SceneImages::SpreadWith(const MistakeList& mistakes) {
+  const auto kept = spread_with_.find(mistakes);
+  if (kept != spread_with_.end()) return kept->second;
   const auto image = With(mistakes);
-  if (!image) return std::vector<bool>(steady_.size(), true);
-  std::vector<bool> steady;
-  for (const double spread : SpreadOf(*image, CornersWith(mistakes))) steady.push_back(spread <= scene_.tolerance);
-  return steady_with_.emplace(mistakes, std::move(steady)).first->second;
+  if (!image) return spread_;
+  return spread_with_.emplace(mistakes, SpreadOf(*image, CornersWith(mistakes))).first->second;
 }
 
 std::vector<R2::Image> SceneImages::CornersWith(const MistakeList& mistakes) const {

@@ -49,8 +49,8 @@ class SceneImages {
   const std::vector<double>& Spread() const { return spread_; }
   /// Returns the references of programs whose rays go through the four corners of pixels, if pixels are compared.
   const std::vector<R2::Image>& Corners() const { return corners_; }
-  /// Returns the pixels of the image with mistakes that are steady in the same way; all of them if they do not apply.
-  std::vector<bool> SteadyWith(const MistakeList& mistakes);
+  /// Returns the change of the image with mistakes within each pixel; of the reference if they do not apply.
+  std::vector<double> SpreadWith(const MistakeList& mistakes);
   /// Returns the image with mistakes, as displayed; std::nullopt if they do not apply to this scene.
   std::optional<R2::Image> With(const MistakeList& mistakes);
   /// Returns the same before values are clamped.
@@ -81,7 +81,7 @@ class SceneImages {
   std::vector<bool> steady_;
   std::vector<double> spread_;
   std::vector<R2::Image> corners_;
-  std::map<MistakeList, std::vector<bool>> steady_with_;
+  std::map<MistakeList, std::vector<double>> spread_with_;
   // The inputs of mistakes of the finished image.
   std::map<MistakeList, R2::Image> light_;
 };

@@ -49,7 +49,7 @@ std::array<Line, 3> LinesOf(std::span<const TonePair> pairs) {
   return lines;
 }
 
-std::string Times(double factor) { return Rounded(factor, 2) + " times as large"; }
+std::string Times(double factor) { return Plain(factor, 2) + " times as large"; }
 
 /// Returns changes by one factor for all channels, by one for each, by an offset, or by both.
 std::vector<Tone> LinearTones(const std::array<Line, 3>& lines) {
@@ -65,22 +65,22 @@ std::vector<Tone> LinearTones(const std::array<Line, 3>& lines) {
   }
   const double d = all.Offset();
   tones.push_back({.name = "offset",
-                   .title = Rounded(std::abs(d), 2) +
+                   .title = Plain(std::abs(d), 2) +
                             (d < 0 ? " is subtracted from all values" : " is added to all values"),
                    .hint = "Is a constant added to each pixel, the background's included?",
                    .offset = {d, d, d}});
   const double a = all.Slope(), b = all.Intercept();
   tones.push_back({.name = "contrast",
-                   .title = "contrast and brightness are changed: values are " + Rounded(b, 2) + " plus " +
-                            Rounded(a, 2) + " times what they should be",
+                   .title = "contrast and brightness are changed: values are " + Plain(b, 2) + " plus " +
+                            Plain(a, 2) + " times what they should be",
                    .hint = "What is done to each value before it is written?",
                    .factor = {a, a, a},
                    .offset = {b, b, b},
                    .free_numbers = 2});
   const Channels each{lines[0].Factor(), lines[1].Factor(), lines[2].Factor()};
   tones.push_back({.name = "channels_scaled",
-                   .title = "red, green and blue are " + Rounded(each[0], 2) + ", " + Rounded(each[1], 2) + " and " +
-                            Rounded(each[2], 2) + " times as large as they should be",
+                   .title = "red, green and blue are " + Plain(each[0], 2) + ", " + Plain(each[1], 2) + " and " +
+                            Plain(each[2], 2) + " times as large as they should be",
                    .hint = "Are the three channels computed in the same way?",
                    .factor = each,
                    .before_clamping = true,

@@ -93,7 +93,9 @@ TEST_P(MistakesOfCourse, AreNeverNamedWronglyAndNearlyAlwaysNamed) {
   using enum grade::MatrixRow::Outcome;
   const grade::Suite suite = SmallSuite(GetParam());
   grade::Grader grader(suite, {}, raygrade::LoadScene);
-  const grade::MatrixCounts counts = TryMistakes(grader.Scenes(), suite, 0);
+  // Of two of these pairs, only one half was named in cs315: the other half filled an image with one color, or changed
+  // only steep shading.
+  const grade::MatrixCounts counts = TryMistakes(grader.Scenes(), suite, 4);
   std::string lines;
   for (const grade::MatrixRow& row : counts.rows) lines += row.Text() + "\n";
   EXPECT_EQ(counts.Count(wrong), 0) << lines;
@@ -191,6 +193,57 @@ TEST(Mistakes, TheFirstOfTwoIsSearchedAgain) {
       scene.Images().AsOfAnother({MistakeNamed("spheres_missing"), MistakeNamed("divided_by_pi")});
   const std::string named = Judged(student, scene.suite, scene.Images()).mistakes;
   EXPECT_TRUE(Has(named, "spheres_missing") && Has(named, "divided_by_pi")) << named;
+}
+
+/// Judges a whole suite at its full size.
+struct WholeSuite {
+  explicit WholeSuite(const std::string& course) : suite(SuiteNamed(course)) {
+    grader.emplace(suite, grade::GraderSettings{}, raygrade::LoadScene);
+  }
+  grade::StudentResult Judged(const std::vector<grade::HandedIn>& handed_in) {
+    grade::StudentResult student;
+    student.scenes.resize(handed_in.size());
+    JudgeTogether(handed_in, suite, student);
+    return student;
+  }
+  std::vector<grade::HandedIn> ImagesWith(const grade::MistakeList& mistakes) {
+    std::vector<grade::HandedIn> handed_in;
+    for (const auto& images : grader->Scenes())
+      handed_in.push_back({images.get(), {images->AsOfAnother(mistakes)}, false, handed_in.size()});
+    return handed_in;
+  }
+  grade::Suite suite;
+  std::optional<grade::Grader> grader;
+};
+
+// Many bounces change 1.3% of the pixels of one scene after the other mistake, which was named alone.
+TEST(Mistakes, AHalfThatLeavesOnePercentIsNotNamedAlone) {
+  WholeSuite whole("cos426");
+  const grade::MistakeList both{MistakeNamed("first_shape_wins"), MistakeNamed("many_bounces")};
+  EXPECT_EQ(whole.Judged(whole.ImagesWith(both)).verdict.mistakes, "first_shape_wins+many_bounces");
+}
+
+TEST(Mistakes, ACauseThatLeavesASceneUnexplainedIsNotNamed) {
+  WholeSuite whole("cs315");
+  auto handed_in = whole.ImagesWith({MistakeNamed("no_shadows")});
+  R2::Image& torn = handed_in[3].runs[0];
+  for (int y = 0; y < torn.Height(); ++y)
+    for (int x = y % 16; x < torn.Width(); x += 7) torn.Set(x, y, {1, 0, 1});
+  const grade::StudentResult student = whole.Judged(handed_in);
+  EXPECT_EQ(student.verdict.mistakes, "");
+  EXPECT_TRUE(Has(student.verdict.headline, "Looks most like: no shadows. But that is not all of it"))
+      << student.verdict.headline;
+  EXPECT_EQ(student.scenes[1].mistakes, "no_shadows");
+  EXPECT_EQ(student.scenes[3].mistakes, "");
+}
+
+TEST(Mistakes, ABlackImageAmongRightOnesIsReported) {
+  WholeSuite whole("cs315");
+  auto handed_in = whole.ImagesWith({});
+  handed_in[2].runs[0] = R2::Image(handed_in[2].runs[0].Width(), handed_in[2].runs[0].Height());
+  const grade::StudentVerdict verdict = whole.Judged(handed_in).verdict;
+  EXPECT_EQ(verdict.headline, "All other images are right.");
+  EXPECT_EQ(verdict.remarks.size(), 1U);
 }
 
 TEST(Mistakes, AThinSurfaceLitFromBehindShowsAnAbsoluteCosine) {
