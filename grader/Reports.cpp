@@ -144,12 +144,12 @@ std::string StudentLink(const std::string& name) {
 /// Returns the causes and notes of a class, the most common first, each with its students.
 std::string CommonCauses(const std::vector<StudentResult>& students) {
   std::map<std::string, std::set<std::string>> students_with;
-  for (const StudentResult& student : students) {
-    std::istringstream causes(student.verdict.mistakes);
-    for (std::string cause; std::getline(causes, cause, '+');) students_with[cause].insert(student.name);
-    for (const SceneResult& scene : student.scenes)
+  for (const StudentResult& student : students)
+    for (const SceneResult& scene : student.scenes) {
+      std::istringstream causes(scene.mistakes);
+      for (std::string cause; std::getline(causes, cause, '+');) students_with[cause].insert(student.name);
       if (!scene.note.empty()) students_with[scene.note].insert(student.name);
-  }
+    }
   std::vector<std::pair<std::string, std::set<std::string>>> sorted(students_with.begin(), students_with.end());
   std::ranges::stable_sort(sorted, [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
   std::string html = "<h2>Common causes</h2>\n<table><tr><th>cause<th>students<th>who</tr>\n";

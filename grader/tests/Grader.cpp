@@ -98,7 +98,7 @@ grade::StudentResult StudentWith(const std::string& name, double score, const st
 TEST(Grader, TheClassHasItsMaximumMeanAndMedian) {
   std::vector<grade::StudentResult> students{StudentWith("amy", 7, ""), StudentWith("bob", 1, "time-out"),
                                              StudentWith("cat", 2, "")};
-  students[0].verdict.mistakes = students[2].verdict.mistakes = "no_shadows";
+  students[0].scenes[0].mistakes = students[2].scenes[0].mistakes = "no_shadows";
   const std::string csv = ClassCsv(students), page = ClassPage(students, MirrorSuite());
   EXPECT_TRUE(Has(csv, "(maximum),mirrors,8,7,") && Has(csv, "(median),mirrors,8,2,")) << csv;
   EXPECT_TRUE(Has(csv, "(mean),mirrors,8,3.333,")) << csv;
