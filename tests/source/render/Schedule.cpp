@@ -258,13 +258,13 @@ Samples SamplesToErrorOne(Adaptive adaptive, double variance, double noisier) {
   RenderSettings settings = ToErrorOne();
   settings.budget.adaptive = adaptive;
   Schedule schedule = Deciding(settings);
-  const auto squares = [&] {
+  const auto measure = [&] {
     std::vector<double> squares;
     for (const std::uint32_t samples : schedule.State().targets.samples)
       squares.push_back((squares.size() < columns ? noisier : 1) * variance / samples);
-    return squares;
+    return Found(squares);
   };
-  while (!schedule.Next(Found(squares()))) continue;
+  while (!schedule.Next(measure())) continue;
   return schedule.State().targets.samples;
 }
 
