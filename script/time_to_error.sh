@@ -103,7 +103,8 @@ while read -r id scene options; do
   done
   curve > "$work/plain"
   curve -denoise -denoiser "$denoiser" > "$work/denoised"
-  : > "$work/mitsuba" > "$work/mitsuba_denoised"
+  : > "$work/mitsuba"
+  : > "$work/mitsuba_denoised"
   if has mitsuba; then
     mitsuba > "$work/mitsuba"
     if has pyoidn; then mitsuba -denoise > "$work/mitsuba_denoised"; fi
@@ -111,8 +112,8 @@ while read -r id scene options; do
   for target in $targets; do
     plain=$(at "$work/plain" "$target") denoised=$(at "$work/denoised" "$target")
     [ "$plain$denoised" != "--" ] || continue
-    echo "$id $target $(to_error "$plain") $(to_error "$denoised" -denoise -denoiser "$denoiser") $plain $denoised $(at "$work/mitsuba" "$target")" \
-      "$(at "$work/mitsuba_denoised" "$target")"
+    echo "$id $target $(to_error "$plain") $(to_error "$denoised" -denoise -denoiser "$denoiser") $plain $denoised" \
+      "$(at "$work/mitsuba" "$target") $(at "$work/mitsuba_denoised" "$target")"
   done
 done < "$work/scenes" | awk -v format="$format" '
   function seconds(x) { return x == "-" ? x : sprintf("%.2f", x) }

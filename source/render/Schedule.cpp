@@ -292,8 +292,9 @@ std::vector<double> Schedule::DeviationsOf(const MeasuredError& error, const Mea
 /// fewest samples that reach a squared error are in proportion to the deviations:
 ///     samples = deviation * mean deviation / squared error.
 /// If all blocks have these, but the interval's upper end is still above the target, they are allocated for half of the
-/// squared error, and so on. To find rare light, no deviation counts as less than a quarter of the mean; and all blocks
-/// continue while light that no sample has found may be an important part of the error.
+/// squared error, and so on. To find rare light, no deviation counts as less than a quarter of the mean: with a half,
+/// direct light takes 1.3 times the samples, and no more of 216 renders are below their target (script/claims_table.sh).
+/// All blocks continue while light that no sample has found may be an important part of the error.
 ///   source   Neyman, On the two different aspects of the representative method (1934)
 std::vector<std::uint32_t> Schedule::ChooseBlocks(std::uint32_t end, const MeasuredError& error,
                                                   const MeasuredError* noisy) const {

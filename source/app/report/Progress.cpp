@@ -60,7 +60,8 @@ bool Progress::IsDue(const RenderProgress& progress) const {
     case ProgressStyle::terminal:
       return pause >= 100ms;
     case ProgressStyle::log:
-      return pause >= 5s && progress.done * 10 / progress.total > tenths_shown_;
+      // The share falls if an error turns out to be further away.
+      return pause >= 5s && progress.done * 10 / progress.total != tenths_shown_;
   }
   return false;
 }
