@@ -40,7 +40,7 @@ constexpr DefaultImage image_of_page{.side = 512, .samples = 16, .samples_of_a_c
 struct Session {
   explicit Session(const RenderOptions& asked) : scene(asked), prepared(scene) {}
 
-  const ReadScene scene;
+  ReadScene scene;
   const PreparedScene prepared;
   std::optional<Film> empty_film;
   RenderState state;  // of the round: what is due, and the samples that are there

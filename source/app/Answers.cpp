@@ -21,7 +21,7 @@ namespace {
 /// Returns the answer of `describe` for a scene that is ready for tracing.
 template <typename Describe>
 std::string DescribeBuiltScene(const Options& all, const Describe& describe) {
-  const ReadScene read(As<RenderOptions>(all));
+  ReadScene read(As<RenderOptions>(all));
   PrintLines(read.parsed.warnings);
   const PreparedScene scene(read);
   PrintLines(scene.world.Warnings());

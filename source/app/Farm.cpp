@@ -14,6 +14,7 @@
 #include "source/app/report/Progress.h"
 #include "source/app/report/Resources.h"
 #include "source/render/Parts.h"
+#include "source/render/SharingGain.h"
 #include "source/render/forecast/FinishForecast.h"
 #include "source/text/NumberText.h"
 #include "source/text/Quoting.h"
@@ -70,7 +71,7 @@ bool HasTimeForRound(const RenderOptions& options, const PartReader& reader, con
 
 /// Returns the next round after one that is complete; std::nullopt if the image is done.
 ///   watch   runs since the process began
-std::optional<RenderState> PlannedRound(const SharedScene& scene, const PartReader& reader, RenderState&& round,
+std::optional<RenderState> PlannedRound(SharedScene& scene, const PartReader& reader, RenderState&& round,
                                         const Stopwatch& watch) {
   const PreparedScene prepared(scene);
   RenderMonitor monitor;
@@ -85,16 +86,16 @@ std::string FilesOfParts(const RenderOptions& options) {
 
 int RenderOnePart(const RenderOptions& asked) {
   const Stopwatch watch;
-  const SharedScene scene(asked);
+  SharedScene scene(asked);
   const RenderOptions& options = scene.options;
   const std::string name = PartName(options.files.image, *options.render.part);
   CheckOutput(name, scene.parsed.scene.files);
+  const PreparedScene prepared(scene);
   PartReader reader(options.render, options.files.image, scene.identity);
   if (options.render.budget.seconds > 0 && !IsThere(PlanName(options.files.image)))
     throw UsageError("-part with -time needs " + QuotedPath(PlanName(options.files.image)) +
                      ", which records when the render began; -missing n writes it");
   RenderState beginning = BeginningOf(reader, options, name);
-  const PreparedScene prepared(scene);
   for (const std::string& line : prepared.world.Warnings()) PrintError(line);
 
   CatchInterrupts();
@@ -121,8 +122,12 @@ int RenderOnePart(const RenderOptions& asked) {
 
 void PrintMissingParts(const RenderOptions& asked) {
   const Stopwatch watch;
-  const SharedScene scene(asked);
+  SharedScene scene(asked);
   const RenderOptions& options = scene.options;
+  if (const auto shares_light = SharesLight(options.render))
+    scene.options.render.shares_light = *shares_light;
+  else
+    const PreparedScene decided(scene);
   const bool is_timed = options.render.budget.seconds > 0;
   PartReader reader(options.render, options.files.image, scene.identity);
   const PartWriter writer(options.render, options.files, scene.identity);

@@ -4,6 +4,7 @@
 #include "source/app/options/SceneSettings.h"
 #include "source/app/report/Memory.h"
 #include "source/render/RenderInputs.h"
+#include "source/render/SharingGain.h"
 
 namespace ray {
 namespace {
@@ -25,7 +26,9 @@ std::unique_ptr<const Accelerator> AcceleratorFor(const World& world, const Rend
 ReadScene::ReadScene(const RenderOptions& asked)
     : parsed(ParsedFor(asked)), options(WithSettingsOf(parsed.scene, asked)) {}
 
-PreparedScene::PreparedScene(const ReadScene& read)
-    : world(read.parsed.scene), accelerator(AcceleratorFor(world, read.options)) {}
+PreparedScene::PreparedScene(ReadScene& read)
+    : world(read.parsed.scene), accelerator(AcceleratorFor(world, read.options)) {
+  read.options.render.shares_light = SharesLight(world, *accelerator, read.options.render);
+}
 
 }  // namespace ray

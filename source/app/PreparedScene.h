@@ -20,9 +20,10 @@ struct ReadScene {
 
 /// A scene ready for tracing, with the requested accelerator, built for about as many rays as the render will trace.
 struct PreparedScene {
-  /// Builds it. Throws UsageError if scene, structure and image would exceed the memory limit.
+  /// Builds it, and decides for `read.options` whether paths share light. Throws UsageError if scene, structure and
+  /// image would exceed the memory limit.
   ///   read   must outlive this
-  explicit PreparedScene(const ReadScene& read);
+  explicit PreparedScene(ReadScene& read);
 
   World world;
   std::unique_ptr<const Accelerator> accelerator;

@@ -87,7 +87,7 @@ void Compare(const RenderResult& result, const std::vector<R2::Image>& reference
 int MakeImage(const RenderOptions& asked, const Words& words) {
   RunLog run_log(words);
   const Outputs outputs = CheckOutputs(asked.files, RegionOf(asked.render));
-  const ReadScene read(asked);
+  ReadScene read(asked);
   const RenderOptions& options = read.options;
   RefuseInputs(outputs, read.parsed.scene.files);
   RefuseSize(*outputs.format, options.render.width, options.render.height);
@@ -98,7 +98,7 @@ int MakeImage(const RenderOptions& asked, const Words& words) {
   run_log.Loaded(read.parsed, options);
   const PreparedScene scene(read);
   const auto& [world, accelerator] = scene;
-  run_log.Built(world, *accelerator);
+  run_log.Built(world, *accelerator, options.render.shares_light);
 
   if (options.checkpoint.restart) checkpoint->Remove();
   CatchInterrupts();

@@ -53,11 +53,14 @@ BlockSums& BlockSums::operator+=(const BlockSums& o) {
   return *this;
 }
 
-Film::Film(int image_width, int image_height, const PixelRectangle& region, FilterKind filter, int surroundings)
+Film::Film(int image_width, int image_height, const PixelRectangle& region, FilterKind filter, int surroundings,
+           int together)
     : filter_(filter),
       region_(region),
       made_(Common({0, 0, image_width, image_height}, Grown(region, surroundings))),
-      sampled_(Common({0, 0, image_width, image_height}, Grown(made_, filter_.Apron()))),
+      sampled_(Common({0, 0, image_width, image_height},
+                      InSquares(Grown(made_, filter_.Apron()), together > 1 ? together * block_side : 1))),
+      together_(together),
       first_column_(sampled_.x0 / block_side),
       first_row_(sampled_.y0 / block_side),
       columns_((sampled_.x1 + block_side - 1) / block_side - first_column_),

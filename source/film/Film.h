@@ -77,10 +77,13 @@ class Film {
   /// that it equals the same part of the whole image.
   /// `surroundings`: the number of pixels around the region that are computed as well, for denoisers and comparisons of
   /// neighbors.
-  Film(int image_width, int image_height, const PixelRectangle& region, FilterKind filter, int surroundings = 0);
+  /// `together`: the side, in blocks, of the squares of the image in which samples are taken together.
+  Film(int image_width, int image_height, const PixelRectangle& region, FilterKind filter, int surroundings = 0,
+       int together = 1);
 
   int Columns() const { return columns_; }
   int Blocks() const { return columns_ * rows_; }
+  int Together() const { return together_; }
   /// Returns the pixels in which a block takes samples.
   PixelRectangle PixelsOf(int block) const;
   /// Returns the block's pixels that are in the region.
@@ -91,7 +94,8 @@ class Film {
   const PixelRectangle& Region() const { return region_; }
   /// The region and its surroundings, clipped to the image.
   const PixelRectangle& Made() const { return made_; }
-  /// The pixels in which samples are taken: Made() and those around it from which a wide filter reaches it.
+  /// The pixels in which samples are taken: Made(), those around it from which a wide filter reaches it, and those
+  /// whose samples are taken together with these.
   const PixelRectangle& Sampled() const { return sampled_; }
 
   /// The samples of one block.
@@ -136,6 +140,7 @@ class Film {
 
   Filter filter_;
   PixelRectangle region_, made_, sampled_;
+  int together_;
   int first_column_, first_row_, columns_, rows_;
   std::vector<Block> blocks_;
 };

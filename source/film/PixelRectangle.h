@@ -25,6 +25,11 @@ inline PixelRectangle Common(const PixelRectangle& a, const PixelRectangle& b) {
 /// Returns the rectangle, extended by `by` pixels on each side.
 inline PixelRectangle Grown(const PixelRectangle& r, int by) { return {r.x0 - by, r.y0 - by, r.x1 + by, r.y1 + by}; }
 
+/// Returns the rectangle, with corners at 0 or above, extended to whole squares of pixels.
+inline PixelRectangle InSquares(const PixelRectangle& r, int side) {
+  return {r.x0 / side * side, r.y0 / side * side, (r.x1 + side - 1) / side * side, (r.y1 + side - 1) / side * side};
+}
+
 /// Returns number i of a sequence of rectangles of at most the given size that are spread evenly over a region, after
 /// any number of them.
 ///   source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018)

@@ -27,6 +27,9 @@ class Integrator {
   /// Computes the radiance along each camera ray, per channel, linear. Rays of neighboring pixels should be passed
   /// together, so that they and their shadow rays are traced together; the results are the same.
   virtual void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const = 0;
+
+  /// Adds the light that the samples share, if Li, with state.shared, has left any there.
+  virtual void AddShared(std::span<R2::Color> /*radiances*/, TraceState& /*state*/) const {}
 };
 
 /// One line of integrators.def.

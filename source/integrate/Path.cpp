@@ -4,6 +4,7 @@
 #include <new>
 
 #include "source/integrate/RussianRoulette.h"
+#include "source/integrate/SharedPaths.h"
 
 namespace ray {
 namespace {
@@ -33,12 +34,16 @@ void Path::Li(std::span<const CameraSample> samples, std::span<R2::Color> radian
   const std::size_t together = state.recorder ? 1 : most_paths;  // a recorder receives one path at a time
   for (std::size_t i = 0; i < samples.size(); i += together) {
     const std::size_t count = std::min(samples.size() - i, together);
-    TraceTogether(samples.subspan(i, count), radiances.subspan(i, count), state);
+    TraceTogether(samples.subspan(i, count), radiances.subspan(i, count), i, state);
   }
 }
 
+void Path::AddShared(std::span<R2::Color> radiances, TraceState& state) const {
+  state.shared->Distribute(tracer_, radiances, state);
+}
+
 void Path::TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances,
-                         TraceState& state) const {
+                         std::size_t first_sample, TraceState& state) const {
   PathFront fronts[2];
   PathFront *front = &fronts[0], *next = &fronts[1];
   next->points.reserve(samples.size());
@@ -53,8 +58,10 @@ void Path::TraceTogether(std::span<const CameraSample> samples, std::span<R2::Co
       (is_first ? radiances[front->paths[i]] : gathered[front->paths[i]]) += state.arrived[i];
     next->Clear();
     TakeStep(*front, gathered, *next, state);
+    if (is_first && state.shared) Share(*front, *next, first_sample, gathered, state);
     std::swap(front, next);
   }
+  if (state.shared) state.shared->TakeLight(gathered);
   for (std::size_t i = 0; i < count; ++i) radiances[paths[i]] += gathered[paths[i]];
 }
 
@@ -333,6 +340,33 @@ R2::Color Path::Emitted(const Step& step, const ShadingPoint& hit) const {
   const auto light_pdf = lights_.PdfOfHit(step.from, hit, world_, lights_at_once_ > 0);
   if (!light_pdf) return seen;  // only scattering finds it
   return sampled_.WeightOfBsdf(step.pdf, *light_pdf * std::max(1, lights_at_once_)) * seen;
+}
+
+/// Returns true if the point scatters with a cosine density alone, and rays from it depend on nothing else. Paths in
+/// solids do not share, nor where surfaces move, since each path has its own time.
+bool Path::SharesAsFirst(const PathFront& front, std::uint32_t point) const {
+  const ShadingPoint& x = front.points[point];
+  return front.diffuse_flags[point] > 0 && Luminance(x.kd) > 0 && x.path.media == 0 && !x.departure.crossed;
+}
+
+void Path::Share(const PathFront& front, PathFront& next, std::size_t first_sample, std::span<R2::Color> gathered,
+                 TraceState& state) const {
+  if (world_.Moves() || !settings_.shadows || state.recorder) return;
+  PathFront::PerPoint<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < front.points.size(); ++i)
+    numbers[i] = SharesAsFirst(front, i) ? state.shared->AddFirst(front.points[i], first_sample + front.paths[i])
+                                         : SharedPaths::none;
+  for (std::uint32_t i = 0; i < next.points.size(); ++i) {
+    ShadingPoint& y = next.points[i];
+    const std::uint32_t first = numbers[next.from[i]], path = next.paths[i];
+    // Shadow rays end at surfaces that the path may have passed, as inside a solid that meets another.
+    const bool is_seen = y.path.media == 0 && state.hits[next.rays[i]]->t == y.hit.t;
+    if (first == SharedPaths::none || !traits_[*y.material].is_diffuse || !is_seen) continue;
+    const double throughput = Luminance(y.path.throughput);
+    state.shared->AddSecond(y, first, path, throughput, gathered[path]);
+    gathered[path] = {};
+    y.path.throughput = {throughput, throughput, throughput};
+  }
 }
 
 double Path::LeastSurvival(std::int64_t depth) const {

@@ -36,6 +36,7 @@ class Path : public Integrator {
   Path(const World& world, const Accelerator& accelerator, const TraceSettings& settings);
 
   void Li(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const override;
+  void AddShared(std::span<R2::Color> radiances, TraceState& state) const override;
 
  private:
   /// The choice of a ray that continues from a point.
@@ -69,7 +70,9 @@ class Path : public Integrator {
   static std::uint64_t KeyOf(int light) { return next_event_key + static_cast<std::uint64_t>(light); }
 
   /// Computes Li for at most R1::batch_size samples.
-  void TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances, TraceState& state) const;
+  ///   first_sample   the number of the first one among those of Li
+  void TraceTogether(std::span<const CameraSample> samples, std::span<R2::Color> radiances, std::size_t first_sample,
+                     TraceState& state) const;
   /// Finds the surfaces that camera rays hit. Sets radiances to their emission and reflected ambient light, or to the
   /// background.
   void SeeFirstSurfaces(std::span<const CameraSample> samples, std::span<R2::Color> radiances, PathFront& front,
@@ -123,6 +126,13 @@ class Path : public Integrator {
                   std::span<R2::Color> gathered, TraceState& state) const;
   /// Returns the emission of the surface that a scattered ray hit, times throughput, weighted against SampleLights.
   R2::Color Emitted(const Step& step, const ShadingPoint& hit) const;
+
+  // How paths share light.
+  /// Adds first and second surfaces to state.shared. What paths of `next` gather from then on is the light that their
+  /// second surfaces send back, times the luminance of their throughput.
+  void Share(const PathFront& front, PathFront& next, std::size_t first_sample, std::span<R2::Color> gathered,
+             TraceState& state) const;
+  bool SharesAsFirst(const PathFront& front, std::uint32_t point) const;
 
   // How paths end.
   bool IsLast(const ShadingPoint& p) const { return p.path.depth >= settings_.max_depth; }

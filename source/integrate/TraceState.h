@@ -55,6 +55,7 @@ struct ShadowRays {
 };
 
 class RayRecorder;
+class SharedPaths;
 
 /// The state of one thread while tracing.
 struct TraceState {
@@ -78,6 +79,7 @@ struct TraceState {
   ShadowRays shadows;
   std::vector<R2::Color> arrived;           // at each point
   RayRecorder* recorder = nullptr;          // receives every ray; null for none
+  SharedPaths* shared = nullptr;            // receives paths that share light; null for none
   const std::atomic<bool>* stop = nullptr;  // checked before every few rays; null for none
   std::optional<R3::SearchLimit::Clock::time_point> deadline;  // checked like `stop`
 

@@ -5,15 +5,17 @@
 #include <numeric>
 #include <utility>
 
+#include "source/render/Tiles.h"
+
 namespace ray {
 namespace {
 
-/// Returns a block's place in the lattice, as a fraction of 2^32.
-std::uint32_t PlaceInLattice(int block, int columns) {
+/// Returns a square's place in the lattice, as a fraction of 2^32.
+std::uint32_t PlaceInLattice(int square, int columns) {
   // 1 / g and 1 / g^2, where g^3 = g + 1.
   constexpr std::uint32_t step_of_column = 3'242'174'889u, step_of_row = 2'447'445'414u;
-  return static_cast<std::uint32_t>(block % columns) * step_of_column +
-         static_cast<std::uint32_t>(block / columns) * step_of_row;
+  return static_cast<std::uint32_t>(square % columns) * step_of_column +
+         static_cast<std::uint32_t>(square / columns) * step_of_row;
 }
 
 bool AreEqual(const std::vector<WeightedSum>& a, const std::vector<WeightedSum>& b) {
@@ -35,17 +37,20 @@ bool Agree(const Film::Block& a, const Film::Block& b) {
 }  // namespace
 
 std::vector<int> PartsOfBlocks(const Film& film, int of) {
-  const auto count = static_cast<std::size_t>(film.Blocks());
-  std::vector<int> order(count), parts(count);
+  const Tiles squares(film, film.Together() * Film::block_side);
+  const auto count = static_cast<std::size_t>(squares.Count());
+  std::vector<int> order(count), parts(static_cast<std::size_t>(film.Blocks()));
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](int block) { return std::pair(PlaceInLattice(block, film.Columns()), block); });
+  std::ranges::sort(order, {},
+                    [&](int square) { return std::pair(PlaceInLattice(square, squares.Columns()), square); });
   for (std::size_t rank = 0; rank < count; ++rank)
-    parts[static_cast<std::size_t>(order[rank])] = 1 + static_cast<int>(rank * static_cast<std::size_t>(of) / count);
+    for (const int block : squares.BlocksOf(order[rank]))
+      parts[static_cast<std::size_t>(block)] = 1 + static_cast<int>(rank * static_cast<std::size_t>(of) / count);
   return parts;
 }
 
 RenderState FirstRound(const RenderSettings& settings, const Film& film) {
-  Schedule schedule(settings, {film.Columns(), film.AreasInRegion()}, false);
+  Schedule schedule(settings, {film.Columns(), film.AreasInRegion(), film.Together()}, false);
   schedule.SkipToRound();
   RenderState state;
   state.schedule = schedule.State();
@@ -55,7 +60,7 @@ RenderState FirstRound(const RenderSettings& settings, const Film& film) {
 }
 
 bool IsOfOneRound(const RenderSettings& settings, const Film& film) {
-  Schedule schedule(settings, {film.Columns(), film.AreasInRegion()}, false);
+  Schedule schedule(settings, {film.Columns(), film.AreasInRegion(), film.Together()}, false);
   schedule.SkipToRound();
   return !schedule.NeedsWholeImage();
 }

@@ -9,8 +9,8 @@
 /// whole film. Without a budget and without -adaptive neighbors, one round is the whole render.
 namespace ray {
 
-/// Returns the part, 1-based, of each block. Neighboring blocks belong to different parts, and parts differ by at most
-/// one block in size, so that all take about equally long.
+/// Returns the part, 1-based, of each block. Neighboring blocks, or squares of blocks whose samples are taken together,
+/// belong to different parts, and parts differ by at most one of them in size, so that all take about equally long.
 ///   source   Roberts, The unreasonable effectiveness of quasirandom sequences (2018), for the lattice
 std::vector<int> PartsOfBlocks(const Film& film, int of);
 

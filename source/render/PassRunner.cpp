@@ -30,7 +30,9 @@ void MergeParts(Film::Block& block) {
 }  // namespace
 
 PassRunner::PassRunner(const PassWork& work)
-    : work_(work), tiles_(work.film, work.tile_size), threads_(ThreadsFor(work.threads)) {}
+    : work_(work),
+      tiles_(work.film, SharesLight() ? work.film.Together() * Film::block_side : work.tile_size),
+      threads_(ThreadsFor(work.threads)) {}
 
 bool PassRunner::IsStepEnd(std::uint32_t samples) { return samples == 0 || StepEnd(samples - 1) == samples; }
 
@@ -77,51 +79,88 @@ void PassRunner::RunTile(int i) {
   state.stop = work_.stop;
   std::int64_t pixels = 0;
   std::vector<int> done;
-  for (const int block : tiles_.BlocksOf(NextTile(i))) {
-    if (IsDone(block)) continue;
-    if (!(TargetOf(block) > 0 ? Advance(block, worker) : Look(block, worker))) break;
-    pixels += work_.film.PixelsOf(block).Area();
-    done.push_back(block);
+  std::vector<int> due = tiles_.BlocksOf(NextTile(i));
+  std::erase_if(due, [this](int block) { return IsDone(block); });
+  for (const std::span<const int> blocks : WorkOf(due)) {
+    if (!(TargetOf(blocks[0]) > 0 ? Advance(blocks, worker) : Look(blocks[0], worker))) break;
+    for (const int block : blocks) pixels += work_.film.PixelsOf(block).Area();
+    done.insert(done.end(), blocks.begin(), blocks.end());
   }
   const std::lock_guard lock(mutex_);
-  rays_ += state.rays;
+  if (targets_->places.empty()) {
+    rays_ += state.rays;
+    if (SharesLight()) rays_of_looks_ = {};
+  } else {
+    rays_of_looks_ += state.rays;
+  }
   pixels_done_ += pixels;
   // A callback may compute an image on many threads. While this thread waits for them, it must not start another tile,
   // which would wait for the lock that this thread holds.
   tbb::this_task_arena::isolate([&] {
     if (work_.blocks_done && !done.empty()) work_.blocks_done(done);
-    if (work_.tile_done) work_.tile_done(pixels_done_, rays_);
+    if (work_.tile_done) work_.tile_done(pixels_done_, Rays());
   });
 }
 
-/// Takes a block to its target, in steps after which it can be saved. Returns true if it reached the target.
-bool PassRunner::Advance(int block, Worker& worker) {
+/// Divides the blocks of a tile into those that are worked on together.
+std::vector<std::span<const int>> PassRunner::WorkOf(std::span<const int> blocks) const {
+  std::vector<std::span<const int>> work;
+  const bool together = SharesLight() && !blocks.empty() && TargetOf(blocks[0]) > 0;
+  const std::size_t each = together ? blocks.size() : 1;
+  for (std::size_t i = 0; i < blocks.size(); i += each) work.push_back(blocks.subspan(i, each));
+  return work;
+}
+
+/// Takes blocks to their targets, or to the largest of these if their paths share light, in steps after which they can
+/// be saved. Returns true if they reached them.
+bool PassRunner::Advance(std::span<const int> blocks, Worker& worker) {
   TraceState& state = worker.state;
   state.workspace.ForgetLastHits();
-  while (!IsAtTarget(block)) {
+  while (!AreAtTarget(blocks)) {
     if (IsPauseDue()) return false;
     state.deadline = Deadline();
     const R3::SearchLimit limit(state.stop, state.deadline);
-    const std::uint32_t done = SamplesOf(block), end = std::min(TargetOf(block), StepEnd(done));
-    Film::Block next = work_.film[block];
+    const std::uint32_t done = SamplesOf(blocks[0]);
+    const std::uint32_t end = SharesLight() ? done + 1 : std::min(TargetOf(blocks[0]), StepEnd(done));
+    std::vector<Film::Block> next;
+    for (const int block : blocks) next.push_back(work_.film[block]);
     const RayCounts rays_before = state.rays;
-    if (!work_.has_two_streams && std::has_single_bit(done)) MergeParts(next);
     for (int part = 0; part < Film::parts; ++part) {
       if (!work_.has_two_streams && part != (done == 0 ? 0 : 1)) continue;
-      if (next.sums[part].IsEmpty()) next.sums[part] = work_.film.EmptySums(block);
-      SamplesDue due{work_.film.PixelsOf(block), work_.has_two_streams ? part : 0, done, end};
-      if (part == 0) due.first_samples = next.first_samples;
-      if (!RenderBlock(work_.source, due, work_.film.filter(), state, worker.batch, next.sums[part])) {
+      if (!TakeSamples(blocks, next, part, end, worker)) {
         state.rays = rays_before;
         return false;
       }
-      next.samples[part] += end - done;
     }
-    next.first_samples.clear();
-    work_.film[block] = std::move(next);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      next[i].first_samples.clear();
+      work_.film[blocks[i]] = std::move(next[i]);
+    }
     ++progress_;
   }
   return true;
+}
+
+/// Adds the samples before `end` to one part of `blocks`, of which `next` are copies. First samples that share light
+/// are taken again.
+bool PassRunner::TakeSamples(std::span<const int> blocks, std::span<Film::Block> next, int part, std::uint32_t end,
+                             Worker& worker) {
+  const std::uint32_t done = SamplesOf(blocks[0]);
+  const int stream = work_.has_two_streams ? part : 0;
+  std::vector<PixelRectangle> pixels;
+  std::vector<BlockSums*> sums;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (!work_.has_two_streams && std::has_single_bit(done)) MergeParts(next[i]);
+    if (next[i].sums[part].IsEmpty()) next[i].sums[part] = work_.film.EmptySums(blocks[i]);
+    next[i].samples[part] += end - done;
+    pixels.push_back(work_.film.PixelsOf(blocks[i]));
+    sums.push_back(&next[i].sums[part]);
+  }
+  if (SharesLight())
+    return RenderTogether(work_.source, pixels, stream, done, work_.film.filter(), worker.state, worker.batch, sums);
+  SamplesDue due{pixels[0], stream, done, end};
+  if (part == 0) due.first_samples = next[0].first_samples;
+  return RenderBlock(work_.source, due, work_.film.filter(), worker.state, worker.batch, *sums[0]);
 }
 
 /// Takes a block within its first sample to its target. Returns true if it reached the target.

@@ -2,6 +2,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -53,14 +54,20 @@ class PassRunner {
 
   /// The rays of all passes whose samples the film contains, so that an interrupted render counts the same rays as an
   /// uninterrupted one.
-  const RayCounts& Rays() const { return rays_; }
+  RayCounts Rays() const {
+    RayCounts rays = rays_;
+    return rays += rays_of_looks_;
+  }
   bool IsLeftAlone(int block) const {
     return !work_.left_alone.empty() && work_.left_alone[static_cast<std::size_t>(block)];
   }
   /// Adds the rays that were traced before an interruption.
-  void AddRays(const RayCounts& rays) { rays_ += rays; }
+  ///   of_looks   true if no pixel had a whole sample
+  void AddRays(const RayCounts& rays, bool of_looks) { (of_looks ? rays_of_looks_ : rays_) += rays; }
 
  private:
+  /// Returns true if the samples of a tile's blocks are taken together.
+  bool SharesLight() const { return work_.film.Together() > 1; }
   bool IsStopped() const { return work_.stop && work_.stop->load(std::memory_order_relaxed); }
   /// Returns the time at which tracing ends; std::nullopt until there is an image to show.
   std::optional<Clock::time_point> Deadline() const;
@@ -72,6 +79,9 @@ class PassRunner {
   std::uint32_t SamplesOf(int block) const { return work_.film[block].SamplesPerStream(work_.has_two_streams); }
   bool IsAtTarget(int block) const;
   bool IsDone(int block) const { return IsLeftAlone(block) || IsAtTarget(block); }
+  bool AreAtTarget(std::span<const int> blocks) const {
+    return std::ranges::all_of(blocks, [this](int block) { return IsAtTarget(block); });
+  }
   void RunTile(int i);
   /// The working memory of a thread, kept between blocks.
   struct Worker {
@@ -79,7 +89,10 @@ class PassRunner {
     SampleBatch batch;
   };
   int NextTile(int i);
-  bool Advance(int block, Worker& worker);
+  std::vector<std::span<const int>> WorkOf(std::span<const int> blocks) const;
+  bool Advance(std::span<const int> blocks, Worker& worker);
+  bool TakeSamples(std::span<const int> blocks, std::span<Film::Block> next, int part, std::uint32_t end,
+                   Worker& worker);
   bool Look(int block, Worker& worker);
 
   const PassWork work_;
@@ -95,6 +108,7 @@ class PassRunner {
   std::mutex mutex_;  // guards the counts below and tile_done; a block belongs to one tile and needs no guard
   std::int64_t pixels_done_ = 0;  // at their targets
   RayCounts rays_;
+  RayCounts rays_of_looks_;  // until their samples, if pixels share light, are taken again
 };
 
 }  // namespace ray

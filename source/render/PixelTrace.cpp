@@ -175,6 +175,7 @@ std::string RayTree(const PixelTrace& trace, const World& world, const RenderSet
          ": " + NumberTexts{digits}(trace.Mean()) +
          (ShowsCosts(settings.mode) ? ", a cost of rays that contribute light" : "") +
          (trace.samples.size() > 1 ? ", the mean of " + std::to_string(trace.samples.size()) + " samples" : "") +
+         (settings.shares_light && !world.Moves() ? ", by its own paths: the image's pixels share light" : "") +
          (is_left_out ? ", skipped by -samples: the image interpolates the pixels around it" : "") + "\n" +
          (world.scene().is_mirrored ? "in the right-handed world of raypro: each z is the negative of the file's\n"
                                     : "") +

@@ -84,7 +84,8 @@ class Job {
         caustics_(settings.mode == RenderMode::path ? CausticsOf(world, settings.trace) : Caustics()),
         source_{integrator, camera_, RandomKey(settings.seed), settings.clamp == Clamp::samples},
         film_(EmptyFilmOf(settings)),
-        schedule_(settings, {film_.Columns(), film_.AreasInRegion()}, settings.wants_passes || monitor.pass_done),
+        schedule_(settings, {film_.Columns(), film_.AreasInRegion(), film_.Together()},
+                  settings.wants_passes || monitor.pass_done),
         history_(settings, film_, static_cast<bool>(monitor.pass_done), MeasureFor(settings), ErrorLeft()),
         progress_(settings, film_, BlocksOfOthers(settings, film_)),
         runner_({source_, film_, HasTwoStreams(settings), settings.threads, settings.tile_size, monitor.stop,
@@ -173,9 +174,10 @@ class Job {
 
   void Resume(RenderState&& state) {
     for (int i = 0; i < film_.Blocks(); ++i) film_[i] = std::move(state.blocks[static_cast<std::size_t>(i)]);
+    const bool of_looks = state.schedule.end == 0;
     schedule_.Resume(std::move(state.schedule));
     history_.Resume(std::move(state.passes), std::move(state.differences));
-    runner_.AddRays(state.rays);
+    runner_.AddRays(state.rays, of_looks);
     rays_before_ = state.rays.Total();
   }
 

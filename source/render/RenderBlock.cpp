@@ -56,11 +56,15 @@ bool RenderAroundFirstSamples(const SampleSource& source, const SamplesDue& due,
 
 void TraceSamples(const SampleSource& source, std::span<const CameraSample> samples, std::span<R2::Color> radiances,
                   TraceState& state) {
-  if (source.camera.SeesEverywhere()) return source.integrator.Li(samples, radiances, state);
+  const auto trace = [&](std::span<const CameraSample> of, std::span<R2::Color> into) {
+    source.integrator.Li(of, into, state);
+    if (state.shared) source.integrator.AddShared(into, state);
+  };
+  if (source.camera.SeesEverywhere()) return trace(samples, radiances);
   std::vector<CameraSample> seen;
   std::ranges::copy_if(samples, std::back_inserter(seen), &CameraSample::HasRay);
   std::vector<R2::Color> of_seen(seen.size());
-  if (!seen.empty()) source.integrator.Li(seen, of_seen, state);
+  if (!seen.empty()) trace(seen, of_seen);
   auto next = of_seen.begin();
   for (std::size_t i = 0; i < samples.size(); ++i) radiances[i] = samples[i].HasRay() ? *next++ : R2::Color{};
 }
@@ -89,6 +93,42 @@ bool LookAtPlaces(const SampleSource& source, const PixelRectangle& pixels, int 
   }
   if (!TraceLooks(source, state, batch, all)) return false;
   looks.assign(all.begin(), all.begin() + places);
+  return true;
+}
+
+bool RenderTogether(const SampleSource& source, std::span<const PixelRectangle> blocks, int stream, std::uint32_t index,
+                    const Filter& filter, TraceState& state, SampleBatch& batch, std::span<BlockSums* const> sums) {
+  constexpr std::uint64_t group_key = ~std::uint64_t{0};
+  if (state.IsStopped()) return false;
+  batch.due.clear();
+  for (const PixelRectangle& pixels : blocks)
+    ForPixels(pixels, [&](int column, int row) {
+      const PixelSample sample{column, row, source.PixelKey(column, row, stream), index};
+      batch.due.push_back(sample);
+    });
+  const std::span<const PixelSample> due = batch.due;
+  batch.samples.resize(std::max(batch.samples.size(), due.size()));
+  batch.radiances.resize(std::max(batch.radiances.size(), due.size()));
+  const auto samples = std::span(batch.samples).first(due.size());
+  const auto radiances = std::span(batch.radiances).first(due.size());
+  for (std::size_t first = 0; first < due.size(); first += R1::batch_size) {
+    const std::size_t count = std::min(due.size() - first, R1::batch_size);
+    source.camera.MakeEach(due.subspan(first, count), samples.subspan(first, count));
+  }
+  batch.shared.Begin(due.size(), due[0].pixel.Child(group_key).Child(index));
+  state.shared = &batch.shared;
+  TraceSamples(source, samples, radiances, state);
+  state.shared = nullptr;
+  if (state.IsStopped()) return false;
+  std::size_t i = 0;
+  for (std::size_t block = 0; block < blocks.size(); ++block)
+    ForPixels(blocks[block], [&](int column, int row) {
+      const R2::Color radiance = source.clamps_samples ? Clamped(radiances[i]) : radiances[i];
+      // Some pixels are sampled for others alone.
+      if (!filter.IsBox() || sums[block]->Reach().Contains(column, row))
+        sums[block]->Add(column, row, samples[i].x, samples[i].y, radiance, filter);
+      ++i;
+    });
   return true;
 }
 

@@ -8,13 +8,14 @@
 #include "source/film/Film.h"
 #include "source/integrate/CameraRays.h"
 #include "source/integrate/Integrator.h"
+#include "source/integrate/SharedPaths.h"
 
 namespace ray {
 
 /// Returns the key of all random choices of a pixel. `stream`: 0-based, for independent sample sequences.
 inline RandomKey PixelKey(const RandomKey& seed, int column, int row, int stream) {
   const RandomKey key = seed.Child(static_cast<std::uint64_t>(column)).Child(static_cast<std::uint64_t>(row));
-  // CameraRays uses the children below 2.
+  // CameraRays uses the children below 2, RenderTogether the last one.
   return stream == 0 ? key : key.Child(1 + static_cast<std::uint64_t>(stream));
 }
 
@@ -40,6 +41,7 @@ struct SampleBatch {
   std::vector<PixelSample> due;
   std::vector<CameraSample> samples;  // of each element of `due`, after tracing; there may be more
   std::vector<R2::Color> radiances;   // clamped, if the source says so
+  SharedPaths shared;
 
   void Clear() { due.clear(), due.reserve(R1::batch_size); }  // growing step by step takes longer
 };
@@ -64,6 +66,12 @@ struct SamplesDue {
 ///   returns   false after a stop request in state.stop, which is checked before each batch; `sums` is then unspecified
 bool RenderBlock(const SampleSource& source, const SamplesDue& due, const Filter& filter, TraceState& state,
                  SampleBatch& batch, BlockSums& sums);
+
+/// Takes the samples with one index, of one stream, of all pixels in a square of blocks, whose paths share light. Adds
+/// them to `sums`, one for each block.
+///   returns   as RenderBlock
+bool RenderTogether(const SampleSource& source, std::span<const PixelRectangle> blocks, int stream, std::uint32_t index,
+                    const Filter& filter, TraceState& state, SampleBatch& batch, std::span<BlockSums* const> sums);
 
 /// Takes sample 0 of the first stream at more places of a block, from looks.size() to `places` - 1 of BlockOrder. Uses
 /// only the memory of `batch`.

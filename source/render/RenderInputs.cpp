@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "source/integrate/SharedPaths.h"
 #include "source/render/Schedule.h"
 
 namespace ray {
@@ -72,7 +73,8 @@ CameraRays CameraRaysOf(const World& world, const RenderSettings& settings, std:
 }
 
 Film EmptyFilmOf(const RenderSettings& settings) {
-  return Film(settings.width, settings.height, RegionOf(settings), settings.filter, SurroundingsOf(settings));
+  return Film(settings.width, settings.height, RegionOf(settings), settings.filter, SurroundingsOf(settings),
+              settings.shares_light ? SharedPaths::side / Film::block_side : 1);
 }
 
 double ExpectedRays(const RenderSettings& settings) {

@@ -47,6 +47,12 @@ enum class Clamp { image, samples };
 inline constexpr std::array clamp_names{"picture", "samples"};
 constexpr const auto& NamesOf(Clamp) { return clamp_names; }
 
+/// Sharing of light by the paths of neighboring pixels, see SharedPaths; automatic: if that makes the render more
+/// efficient.
+enum class Sharing { automatic, on, off };
+inline constexpr std::array sharing_names{"auto", "on", "off"};
+constexpr const auto& NamesOf(Sharing) { return sharing_names; }
+
 /// Conditions that end a render. The first one that is met ends it.
 struct Budget {
   double seconds = 0;                // from the start of the program to the written image; 0: no limit
@@ -106,6 +112,8 @@ struct RenderSettings {
   FilterKind filter = FilterKind::box;
   Clamp clamp = Clamp::image;
   R2::Quantization quantization = R2::Quantization::rounded;  // of the written image
+  Sharing share = Sharing::automatic;
+  bool shares_light = false;  // the decision, see SharesLight
   CameraEffects camera;
   std::optional<Camera> view;  // replaces the scene's own camera
   TraceSettings trace;

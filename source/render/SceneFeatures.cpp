@@ -52,6 +52,7 @@ SceneFeatures FeaturesOf(const World& world, const RenderSettings& settings) {
   features.projection = settings.view.value_or(world.scene().camera).kind->name;
   features.wide_filter = settings.filter != FilterKind::box;
   features.two_streams = HasTwoStreams(settings);
+  features.shared_light = settings.shares_light && !world.Moves();
   if (!IsTraced(settings.mode)) return features;
 
   std::size_t lights = 0;
@@ -96,7 +97,8 @@ std::vector<std::string> SceneFeatures::Names() const {
                                               {textures, "textures"},
                                               {shadow_bias, "shadow bias"},
                                               {wide_filter, "wide filter"},
-                                              {two_streams, "two streams"}};
+                                              {two_streams, "two streams"},
+                                              {shared_light, "shared light"}};
   std::vector<std::string> names;
   for (const auto& [is_on, name] : all)
     if (is_on) names.emplace_back(name);

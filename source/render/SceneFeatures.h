@@ -16,7 +16,7 @@ struct SceneFeatures {
   bool lights = false, area_lights = false, emissive_triangles = false, emissive_shapes = false, environment = false,
        choice_of_lights = false;
   bool mirrors = false, clear = false, bending = false, absorbing = false, textures = false, shadow_bias = false;
-  bool wide_filter = false, two_streams = false;
+  bool wide_filter = false, two_streams = false, shared_light = false;
 
   /// Returns the names of the features.
   std::vector<std::string> Names() const;

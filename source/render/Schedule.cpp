@@ -59,14 +59,31 @@ void RaiseSome(std::vector<std::uint32_t>& targets, const std::vector<std::uint3
   }
 }
 
+/// Replaces deviations by those of whole squares.
+void AverageInSquares(const BlockGrid& blocks, std::vector<double>& deviations) {
+  const auto columns = static_cast<std::size_t>(blocks.columns), side = static_cast<std::size_t>(blocks.together);
+  const std::size_t squares_in_row = (columns + side - 1) / side;
+  const auto square_of = [&](std::size_t i) { return i / columns / side * squares_in_row + i % columns / side; };
+  std::vector<double> sums(deviations.size()), areas(deviations.size());
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    sums[square_of(i)] += blocks.areas[i] * deviations[i] * deviations[i];
+    areas[square_of(i)] += blocks.areas[i];
+  }
+  for (std::size_t i = 0; i < deviations.size(); ++i)
+    deviations[i] = areas[square_of(i)] > 0 ? std::sqrt(sums[square_of(i)] / areas[square_of(i)]) : 0;
+}
+
 /// Reduces the samples that each block would gain to a share, or the number of blocks that gain one. Returns the
 /// largest target of those that still gain any; 0 if none does.
-std::uint32_t Shorten(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double share) {
+///   in_squares   blocks must gain equally many samples, if any
+std::uint32_t Shorten(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double share,
+                      bool in_squares) {
   double most = 0, all = 0;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     most = std::max(most, share * (targets[i] - done[i]));
     all += share * (targets[i] - done[i]);
   }
+  if (most < 1 && in_squares) return 0;
   if (most < 1)
     RaiseSome(targets, done, all);
   else
@@ -285,6 +302,7 @@ std::vector<double> Schedule::DeviationsOf(const MeasuredError& error, const Mea
           deviation = std::max(deviation, share_of_neighbor * measured(r, c));
       deviations.push_back(deviation);
     }
+  if (blocks_.together > 1) AverageInSquares(blocks_, deviations);
   return deviations;
 }
 
@@ -293,8 +311,9 @@ std::vector<double> Schedule::DeviationsOf(const MeasuredError& error, const Mea
 ///     samples = deviation * mean deviation / squared error.
 /// If all blocks have these, but the interval's upper end is still above the target, they are allocated for half of the
 /// squared error, and so on. To find rare light, no deviation counts as less than a quarter of the mean: with a half,
-/// direct light takes 1.3 times the samples, and no more of 216 renders are below their target (script/claims_table.sh).
-/// All blocks continue while light that no sample has found may be an important part of the error.
+/// direct light takes 1.3 times the samples, and no more of 216 renders are below their target
+/// (script/claims_table.sh). All blocks continue while light that no sample has found may be an important part of the
+/// error.
 ///   source   Neyman, On the two different aspects of the representative method (1934)
 std::vector<std::uint32_t> Schedule::ChooseBlocks(std::uint32_t end, const MeasuredError& error,
                                                   const MeasuredError* noisy) const {
@@ -336,7 +355,7 @@ std::uint32_t Schedule::ShortenToTime(std::vector<std::uint32_t>& targets, std::
   // Without a pass that shows the speed, take one sample. Rounding (about 1e-15) must not reduce it to none.
   constexpr double above_rounding = 1 + 1e-9;
   if (!(pass.samples_taken > 0)) share = above_rounding / (end - state_.end);
-  return share >= 1 ? end : Shorten(targets, done, share);
+  return share >= 1 ? end : Shorten(targets, done, share, blocks_.together > 1);
 }
 
 double Schedule::SquaredTargetOf(const MeasuredError& error) const {

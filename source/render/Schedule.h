@@ -27,6 +27,7 @@ std::uint32_t MostSamples(const RenderSettings& settings);
 struct BlockGrid {
   int columns = 1;
   std::vector<double> areas;  // of each block, in pixels of the image
+  int together = 1;           // side, in blocks, of the squares that have equal targets
 };
 
 /// The targets of a pass.

@@ -25,6 +25,7 @@ class Tiles {
   }
 
   int Count() const { return columns_ * rows_; }
+  int Columns() const { return columns_; }
   /// Returns the i-th tile of an order in which successive tiles are spread over the film, in steps of the golden
   /// ratio.
   int Spread(int i) const { return static_cast<int>(std::int64_t{i} * stride_ % Count()); }

@@ -61,7 +61,7 @@ RenderSettings SettingsForLayer(const RenderSettings& image, Layer layer) {
   settings.budget = {};
   settings.replay.reset();
   settings.wants_passes = false;
-  settings.denoise = false;
+  settings.denoise = settings.shares_light = false;
   settings.places = BlockOrder::places;  // interpolated normals and texture coordinates would be wrong
   if (layer == Layer::id || layer == Layer::depth) {
     settings.samples = 1;

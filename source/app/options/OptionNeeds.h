@@ -5,6 +5,7 @@
 #include "source/app/options/FileNames.h"
 #include "source/app/options/OptionFacts.h"
 #include "source/app/options/RenderOptions.h"
+#include "source/render/SharingGain.h"
 
 /// The conditions that rows of the option table state as their needs.
 namespace ray::needs {
@@ -52,6 +53,11 @@ inline constexpr OptionNeed mode_gooch = InMode<RenderMode::gooch>("without -mod
 inline constexpr OptionNeed mode_toon = InMode<RenderMode::toon>("without -mode toon");
 inline constexpr OptionNeed mode_hatching = InMode<RenderMode::hatching>("without -mode hatching");
 inline constexpr OptionNeed mode_path = InMode<RenderMode::path>("without -mode path");
+inline constexpr OptionNeed shared_light{[](const Options& all) {
+                                           const RenderSettings& render = Of(all).render;
+                                           return render.share != Sharing::on || SharesLight(render).value_or(true);
+                                         },
+                                         "with -max_depth 0, -shadows off or -adaptive neighbors"};
 inline constexpr OptionNeed mode_of_light{[](const Options& all) { return ShowsLight(Of(all).render.mode); },
                                           "without a mode of light: whitted, path, gooch, toon or hatching"};
 inline constexpr OptionNeed colored_lamps{[](const Options& all) { return HasColoredLamps(Of(all).render); },

@@ -118,6 +118,11 @@ std::string FlareOfNothing(const Inspection& inspection) {
   return is_of_nothing ? "-flare has no effect without a light; emissive surfaces have no lens flare" : "";
 }
 
+std::string SharesThoughThingsMove(const Inspection& inspection) {
+  const bool shares = inspection.settings.share == Sharing::on && inspection.settings.mode == RenderMode::path;
+  return shares && inspection.world.Moves() ? "-share has no effect where things move: each path has its own time" : "";
+}
+
 /// Reports a camera inside a shape; a view out of glass may be intended. Meshes are tested by -check alone, since that
 /// takes time.
 std::string CameraInside(const Inspection& inspection) {
@@ -181,6 +186,7 @@ constexpr Question questions[] = {
     {Effort::warning, SceneFault{NothingInView}},
     {Effort::warning, SceneFault{Unlit}},
     {Effort::warning, SceneFault{FlareOfNothing}},
+    {Effort::warning, SceneFault{SharesThoughThingsMove}},
     {Effort::warning, SceneFault{CameraInside}},
     {Effort::warning, ShapeFault{"this shape has a texture but no texture coordinates",
       [](const Instance& i, const Inspection&) { return i.material->texture && HasNoUv(i); }}},

@@ -114,7 +114,8 @@ void RunLog::Loaded(const ParsedScene& parsed, RenderOptions all) {
   watch_.Lap();
 }
 
-void RunLog::Built(const World& world, const Accelerator& accelerator) {
+void RunLog::Built(const World& world, const Accelerator& accelerator, bool shares_light) {
+  stats_.options.render.shares_light = shares_light;
   stats_.seconds.build = watch_.Lap();
   for (const std::string& line : world.Warnings()) Warn(line);
   for (const std::string& line : PlainMistakes(world, stats_.options.render)) Warn(line);

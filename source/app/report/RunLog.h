@@ -17,7 +17,7 @@ class RunLog {
 
   /// Called after reading; `all` contains the options with the scene's own settings.
   void Loaded(const ParsedScene& parsed, RenderOptions all);
-  void Built(const World& world, const Accelerator& accelerator);
+  void Built(const World& world, const Accelerator& accelerator, bool shares_light);
   /// Called before the first sample of a render with a time limit: warns if the fixed costs of the image in its budget
   /// exceed the limit.
   void WillFinishIn(const Budget& budget);

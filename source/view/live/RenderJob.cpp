@@ -16,6 +16,7 @@
 
 #include "source/integrate/lights/LightSource.h"
 #include "source/render/FirstLook.h"
+#include "source/render/SharingGain.h"
 
 namespace ray {
 namespace {
@@ -172,7 +173,7 @@ std::optional<RenderResult> RenderJob::RenderCoarseFirst(const Integrator& integ
     if (!LookFirst(look, is_kept)) return {};
   }
 
-  RenderSettings settings = settings_;
+  RenderSettings settings = DecidedSettings();
   settings.threads = threads_of_further_samples_;
   const int streams = HasTwoStreams(settings) ? 2 : 1;
   const std::uint64_t rays_not_kept = is_kept ? 0 : rays_.load();
@@ -243,6 +244,12 @@ bool RenderJob::LookFirst(FirstLook& look, bool is_kept) {
   return true;
 }
 
+RenderSettings RenderJob::DecidedSettings() const {
+  RenderSettings settings = settings_;
+  settings.shares_light = SharesLight(scene_->world, *scene_->accelerator, settings, &stop_);
+  return settings;
+}
+
 RenderResult RenderJob::RenderAll(const Integrator& integrator, const RenderSettings& settings,
                                   const RenderMonitor& monitor) const {
   // Filters of noise are guided by what the accelerator finds, and flares are of lights that it sees.
@@ -251,7 +258,7 @@ RenderResult RenderJob::RenderAll(const Integrator& integrator, const RenderSett
 }
 
 std::optional<RenderResult> RenderJob::RenderRows(const Integrator& integrator) {
-  RenderSettings settings = settings_;
+  RenderSettings settings = DecidedSettings();
   settings.tile_size = Film::block_side;  // so that all threads have some of a row
   settings.wants_passes = false;
   RenderMonitor monitor;

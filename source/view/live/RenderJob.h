@@ -95,6 +95,7 @@ class RenderJob {
   bool LookByOneLight();
   /// Takes the first sample of each pixel, look by look; false where it was stopped.
   bool LookFirst(FirstLook& look, bool is_kept);
+  RenderSettings DecidedSettings() const;
   RenderResult RenderAll(const Integrator& integrator, const RenderSettings& settings,
                          const RenderMonitor& monitor) const;
   std::optional<RenderResult> RenderRows(const Integrator& integrator);

@@ -45,12 +45,17 @@ const Case cases[] = {
     {"emission", "-samples 70 -mode path"},
     {"hierarchy", "-samples 4 -mode heat"},
     {"implicit", "-samples 4 -filter mitchell -glossy"},
+    {"indirect", "-samples 6 -mode path -share on -crop 5 3 31 27 -filter mitchell"},
+    {"indirect", "-samples 5 -mode path -share on -clamp samples"},
+    {"indirect", "-samples 64 -mode path -share on -error 9 -denoise"},
 };
 
 RenderSettings SettingsOf(const Scene& scene, const std::string& more) {
   std::vector<std::string> words{"a.scn", "b.pfm", "-width", "40", "-height", "30"};
   for (const std::string& word : SplitWords(more)) words.push_back(word);
-  return WithSettingsOf(scene, ReadCommandLine(Program::raypro, words)).render;
+  RenderSettings settings = WithSettingsOf(scene, ReadCommandLine(Program::raypro, words)).render;
+  settings.shares_light = settings.share == Sharing::on;
+  return settings;
 }
 
 /// Several machines, each with its own instruction set, that render one image.

@@ -281,6 +281,23 @@ TEST(Schedule, SamplesAreNearlyAsFewAsTheBestAllocation) {
   EXPECT_GE(8 * std::ranges::min(adaptive), mean(adaptive)) << "too few to find rare light";
 }
 
+TEST(Schedule, SquaresOfBlocksThatShareLightContinueTogether) {
+  BlockGrid squares = Grid();
+  squares.together = 4;
+  Schedule schedule(ToErrorOne(), squares, false);
+  while (!schedule.DecidesByError()) ASSERT_FALSE(schedule.Next(quick_look));
+  const std::uint32_t before = schedule.State().end;
+  ASSERT_FALSE(schedule.Next(FoundInCorner(100, .1)));
+  const Samples& targets = schedule.State().targets.samples;
+  EXPECT_GT(targets[0], before);
+  EXPECT_EQ(targets.back(), before);
+  for (int row = 0; row < columns; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const int first = row / 4 * 4 * columns + column / 4 * 4;
+      EXPECT_EQ(targets[static_cast<std::size_t>(row * columns + column)], targets[static_cast<std::size_t>(first)]);
+    }
+}
+
 TEST(Schedule, WithoutAdaptiveSamplingEveryBlockContinues) {
   RenderSettings settings = ToErrorOne();
   settings.budget.adaptive = Adaptive::off;
