@@ -38,6 +38,7 @@ RenderResult RenderAndLog(const World& world, const Accelerator& accelerator, co
   const std::string identity = IdentityOf(options, run_log.stats().scene.hash);
   RenderSettings settings = options.render;
   settings.replay = ReadReplay(run_log.stats());
+  if (settings.replay) settings.shares_light = settings.replay->shares_light;
   RenderMonitor monitor;
   monitor.encode = EncoderOf(options.files.image, options.encoding);
   settings.budget = BudgetWithFinish(settings, monitor.encode);

@@ -47,6 +47,7 @@ void TakeFilm(const Film& film, const RayCounts& rays, const RenderSettings& set
   result.samples = CountSamples(film);
   result.planned_samples = PlannedSamples(settings);
   result.two_streams = HasTwoStreams(settings);
+  result.shares_light = settings.shares_light;
   result.pixels_total = film.Region().Area();
   for (int i = 0; i < film.Blocks(); ++i) {
     result.block_samples.push_back(film[i].SamplesPerStream(result.two_streams));

@@ -81,6 +81,7 @@ struct RenderSummary {
   // samples per pixel for which strata and camera rays were laid out
   std::uint32_t planned_samples = 1;
   bool two_streams = false;  // half of the samples are a second, independent sequence
+  bool shares_light = false;  // see RenderSettings
   std::vector<Pass> passes;
   std::optional<ErrorEstimate> error;                   // of the image; std::nullopt below two samples
   std::optional<ErrorEstimate> error_before_denoising;  // only if it was denoised

@@ -95,6 +95,7 @@ struct Replay {
   std::optional<Refinement> refinement{};  // std::nullopt: in proportion to the samples
   // the error decided, so its history affects the estimate
   bool looked_at_error = false;
+  bool shares_light = false;
 };
 
 /// The image to render from a scene, and the distribution of the work. The latter never changes a bit of the image.

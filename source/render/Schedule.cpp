@@ -39,13 +39,37 @@ std::uint32_t FirstDecision(const RenderSettings& settings) {
   return std::clamp(planned, 1u, looks_at_error ? first_with_error_target : 1u);
 }
 
+/// Returns the first block of the square that a block belongs to.
+std::size_t FirstOfSquare(const BlockGrid& blocks, std::size_t block) {
+  const auto columns = static_cast<std::size_t>(blocks.columns), side = static_cast<std::size_t>(blocks.together);
+  return block / columns / side * side * columns + block % columns / side * side;
+}
+
+/// Replaces deviations by those of whole squares.
+void AverageInSquares(const BlockGrid& blocks, std::vector<double>& deviations) {
+  std::vector<double> sums(deviations.size()), areas(deviations.size());
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    const std::size_t first = FirstOfSquare(blocks, i);
+    sums[first] += blocks.areas[i] * deviations[i] * deviations[i];
+    areas[first] += blocks.areas[i];
+  }
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    const std::size_t first = FirstOfSquare(blocks, i);
+    deviations[i] = areas[first] > 0 ? std::sqrt(sums[first] / areas[first]) : 0;
+  }
+}
+
 /// Adds one sample to some blocks if there is no time for one in all: that many of those with the fewest samples,
-/// spread evenly.
-void RaiseSome(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double blocks) {
+/// spread evenly. Squares gain together.
+void RaiseSome(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double blocks,
+               const BlockGrid& grid) {
   std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = 0; i < done.size(); ++i)
     if (targets[i] > done[i]) fewest = std::min(fewest, done[i]);
-  const auto is_raised = [&](std::size_t i) { return targets[i] > done[i] && done[i] == fewest; };
+  const auto is_raised = [&](std::size_t i) {
+    return FirstOfSquare(grid, i) == i && targets[i] > done[i] && done[i] == fewest;
+  };
+  blocks /= grid.together * grid.together;
   double candidates = 0;
   for (std::size_t i = 0; i < done.size(); ++i) candidates += is_raised(i);
   const double share = blocks / candidates;
@@ -57,35 +81,23 @@ void RaiseSome(std::vector<std::uint32_t>& targets, const std::vector<std::uint3
     blocks -= is_chosen;
     targets[i] = done[i] + is_chosen;
   }
-}
-
-/// Replaces deviations by those of whole squares.
-void AverageInSquares(const BlockGrid& blocks, std::vector<double>& deviations) {
-  const auto columns = static_cast<std::size_t>(blocks.columns), side = static_cast<std::size_t>(blocks.together);
-  const std::size_t squares_in_row = (columns + side - 1) / side;
-  const auto square_of = [&](std::size_t i) { return i / columns / side * squares_in_row + i % columns / side; };
-  std::vector<double> sums(deviations.size()), areas(deviations.size());
-  for (std::size_t i = 0; i < deviations.size(); ++i) {
-    sums[square_of(i)] += blocks.areas[i] * deviations[i] * deviations[i];
-    areas[square_of(i)] += blocks.areas[i];
+  for (std::size_t i = 0; i < done.size(); ++i) {
+    const std::size_t first = FirstOfSquare(grid, i);
+    targets[i] = done[i] + (targets[first] - done[first]);
   }
-  for (std::size_t i = 0; i < deviations.size(); ++i)
-    deviations[i] = areas[square_of(i)] > 0 ? std::sqrt(sums[square_of(i)] / areas[square_of(i)]) : 0;
 }
 
 /// Reduces the samples that each block would gain to a share, or the number of blocks that gain one. Returns the
 /// largest target of those that still gain any; 0 if none does.
-///   in_squares   blocks must gain equally many samples, if any
 std::uint32_t Shorten(std::vector<std::uint32_t>& targets, const std::vector<std::uint32_t>& done, double share,
-                      bool in_squares) {
+                      const BlockGrid& grid) {
   double most = 0, all = 0;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     most = std::max(most, share * (targets[i] - done[i]));
     all += share * (targets[i] - done[i]);
   }
-  if (most < 1 && in_squares) return 0;
   if (most < 1)
-    RaiseSome(targets, done, all);
+    RaiseSome(targets, done, all, grid);
   else
     for (std::size_t i = 0; i < targets.size(); ++i)
       targets[i] = done[i] + static_cast<std::uint32_t>(share * (targets[i] - done[i]));
@@ -355,7 +367,7 @@ std::uint32_t Schedule::ShortenToTime(std::vector<std::uint32_t>& targets, std::
   // Without a pass that shows the speed, take one sample. Rounding (about 1e-15) must not reduce it to none.
   constexpr double above_rounding = 1 + 1e-9;
   if (!(pass.samples_taken > 0)) share = above_rounding / (end - state_.end);
-  return share >= 1 ? end : Shorten(targets, done, share, blocks_.together > 1);
+  return share >= 1 ? end : Shorten(targets, done, share, blocks_);
 }
 
 double Schedule::SquaredTargetOf(const MeasuredError& error) const {

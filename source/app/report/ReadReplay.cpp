@@ -87,6 +87,7 @@ Replay SamplesOf(const Json& report, const std::string& file) {
   const Json& taken = report.at("samples");
   Replay replay;
   replay.two_streams = taken.at("two_streams");
+  replay.shares_light = taken.at("shared_light");
   replay.planned_samples = samples(taken.at("planned_samples"));
   replay.looked_at_error = !report.at("stop").at("error").is_null();
   replay.denoised = IsDenoised(report);
@@ -121,7 +122,9 @@ std::optional<Replay> ReadReplay(const RunStats& run) {
     RequireSameSettings(report.at("settings"), run);
     RequireSameDenoiser(report, run.options.render.denoiser);
     Replay replay = SamplesOf(report, file);
-    RequireSamplesOfAllBlocks(replay, file, run.options.render);
+    RenderSettings render = run.options.render;
+    render.shares_light = replay.shares_light;
+    RequireSamplesOfAllBlocks(replay, file, render);
     return replay;
   } catch (const Json::parse_error& error) {
     throw Refusal(file, "it is not JSON: syntax error at byte " + std::to_string(error.byte));

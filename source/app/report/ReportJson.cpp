@@ -40,9 +40,9 @@ std::span<const ReportField> ReportFields() {
       {"biased", "settings in force that change the expected image"},
       {"share_cut", "estimated fraction of the light, 0 to 1, that -max_depth and -min_luminance cut off"},
       {"samples",
-       "least, most and mean per pixel; two_streams; planned_samples (what strata and camera rays are laid "
-       "out for); of_blocks (per pixel and stream, of each block of 8x8 pixels in rows from the bottom; "
-       "empty if all are equal); places_of_blocks (of blocks without samples, how many of their 64 places"
+       "least, most and mean per pixel; two_streams; shared_light (see -share); planned_samples (what strata "
+       "and camera rays are laid out for); of_blocks (per pixel and stream, of each block of 8x8 pixels in rows "
+       "from the bottom; empty if all are equal); places_of_blocks (of blocks without samples, how many of their 64 places"
        " were traced; empty if all have samples)"},
       {"error",
        "estimate, low, high, unit; method (\"two streams\": unbiased; \"two streams, denoised\"; \"halves\":"
@@ -164,6 +164,7 @@ Json SamplesJson(const RunStats& stats) {
                {"most", stats.samples.most},
                {"mean", stats.samples.mean},
                {"two_streams", stats.two_streams},
+               {"shared_light", stats.shares_light},
                {"planned_samples", stats.planned_samples}};
   const auto& blocks = stats.block_samples;
   const bool are_alike = std::adjacent_find(blocks.begin(), blocks.end(), std::not_equal_to<>()) == blocks.end();

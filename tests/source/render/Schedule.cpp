@@ -362,6 +362,26 @@ TEST(Schedule, TheRemainingTimeIsSpreadOverTheImage) {
   }
 }
 
+TEST(Schedule, TheRemainingTimeIsSpreadOverSquares) {
+  BlockGrid squares = Grid();
+  squares.together = 2;
+  Schedule schedule(Within(10), squares, false);
+  ASSERT_FALSE(schedule.Next(quick_look));
+  const Samples before = schedule.State().targets.samples;
+  ASSERT_FALSE(schedule.Next({.now = 9.2, .seconds_taken = 1, .samples_taken = 1, .error = {}}));
+  const Samples& targets = schedule.State().targets.samples;
+  int raised = 0;
+  for (int row = 0; row < columns; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const auto block = static_cast<std::size_t>(row * columns + column);
+      const int first = row / 2 * 2 * columns + column / 2 * 2;
+      EXPECT_EQ(targets[block], targets[static_cast<std::size_t>(first)]);
+      raised += targets[block] > before[block];
+    }
+  EXPECT_GT(raised, 0);
+  EXPECT_LT(raised, blocks / 2 + 1);
+}
+
 TEST(Schedule, WithoutTimeForAnotherSampleStops) {
   Schedule schedule = Sampling(Within(10));
   EXPECT_EQ(schedule.Next({.now = 9.65, .seconds_taken = 9, .samples_taken = 1, .error = {}}), Stop::time);
