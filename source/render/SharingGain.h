@@ -9,7 +9,7 @@
 
 namespace ray {
 
-/// Returns true if the paths of a render share light; std::nullopt if only a pilot render can tell.
+/// Returns true if the paths of a render share light; std::nullopt if that depends on a pilot render.
 std::optional<bool> SharesLight(const RenderSettings& settings);
 
 /// Returns true if the settings request it, or if a pilot render shows that it gains enough.
