@@ -52,21 +52,24 @@ void SharedPaths::FindDensities(const Group& group, const Tracer& tracer, std::v
   constexpr double least = 1e-300;  // a path that has reached its own second surface by rounding alone
   state.arrived.assign(group.seconds.size() * group.firsts.size(), {});
   q.clear();
-  for (const std::uint32_t j : group.seconds)
+  for (const std::uint32_t j : group.seconds) {
+    const Second& second = seconds_[j];
+    // A common unit of length cancels out. This one keeps fourth powers from overflowing.
+    const double unit = Length(second.y - firsts_[second.first].x.free_point);
     for (const std::uint32_t m : group.firsts) {
-      const Second& second = seconds_[j];
       const ShadingPoint& x = firsts_[m].x;
-      const R3::Vector w = second.y - x.free_point;
+      const R3::Vector to_y = second.y - x.free_point, w = to_y / unit;
       const double square = Dot(w, w), at_x = Dot(x.N, w), at_y = -Dot(second.normal, w);
-      const double density = at_x > 0 && at_y > 0 ? at_x * at_y / (square * square) : 0;
+      const double density = at_x > 0 && at_y > 0 ? at_x / square * (at_y / square) : 0;
       const std::size_t pair = q.size();
       q.push_back(m == second.first ? std::max(density, least) : density);
       if (m == second.first)
         state.arrived[pair] = reaching;
       else if (density > 0)
         tracer.AddShadowRay(
-            x, pair, {.to_light = w}, reaching, reaching, [] { return "a shared path"; }, state);
+            x, pair, {.to_light = to_y}, reaching, reaching, [] { return "a shared path"; }, state);
     }
+  }
   tracer.TraceShadowRays(state);
   for (std::size_t pair = 0; pair < q.size(); ++pair) q[pair] *= state.arrived[pair].r;
 }
