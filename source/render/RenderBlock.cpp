@@ -124,8 +124,9 @@ bool RenderTogether(const SampleSource& source, std::span<const PixelRectangle> 
   for (std::size_t block = 0; block < blocks.size(); ++block)
     ForPixels(blocks[block], [&](int column, int row) {
       const R2::Color radiance = source.clamps_samples ? Clamped(radiances[i]) : radiances[i];
-      // Some pixels are sampled for others alone.
-      if (!filter.IsBox() || sums[block]->Reach().Contains(column, row))
+      // Some pixels are sampled for others alone, and reach none of the film's.
+      const PixelRectangle near = Grown({column, row, column + 1, row + 1}, filter.Apron());
+      if (Common(sums[block]->Reach(), near).Area() > 0)
         sums[block]->Add(column, row, samples[i].x, samples[i].y, radiance, filter);
       ++i;
     });
