@@ -71,9 +71,8 @@ bool HasTimeForRound(const RenderOptions& options, const PartReader& reader, con
 
 /// Returns the next round after one that is complete; std::nullopt if the image is done.
 ///   watch   runs since the process began
-std::optional<RenderState> PlannedRound(SharedScene& scene, const PartReader& reader, RenderState&& round,
-                                        const Stopwatch& watch) {
-  const PreparedScene prepared(scene);
+std::optional<RenderState> PlannedRound(const SharedScene& scene, const PreparedScene& prepared,
+                                        const PartReader& reader, RenderState&& round, const Stopwatch& watch) {
   RenderMonitor monitor;
   monitor.seconds_before = reader.SecondsSinceBegin().value_or(0);
   return NextRound(prepared.world, *prepared.accelerator, SettingsInTime(scene.options, watch.Total(), false),
@@ -90,11 +89,11 @@ int RenderOnePart(const RenderOptions& asked) {
   const RenderOptions& options = scene.options;
   const std::string name = PartName(options.files.image, *options.render.part);
   CheckOutput(name, scene.parsed.scene.files);
-  const PreparedScene prepared(scene);
-  PartReader reader(options.render, options.files.image, scene.identity);
   if (options.render.budget.seconds > 0 && !IsThere(PlanName(options.files.image)))
     throw UsageError("-part with -time needs " + QuotedPath(PlanName(options.files.image)) +
                      ", which records when the render began; -missing n writes it");
+  const PreparedScene prepared(scene);
+  PartReader reader(options.render, options.files.image, scene.identity);
   RenderState beginning = BeginningOf(reader, options, name);
   for (const std::string& line : prepared.world.Warnings()) PrintError(line);
 
@@ -124,10 +123,11 @@ void PrintMissingParts(const RenderOptions& asked) {
   const Stopwatch watch;
   SharedScene scene(asked);
   const RenderOptions& options = scene.options;
+  std::optional<PreparedScene> prepared;
   if (const auto shares_light = SharesLight(options.render))
     scene.options.render.shares_light = *shares_light;
   else
-    const PreparedScene decided(scene);
+    prepared.emplace(scene);
   const bool is_timed = options.render.budget.seconds > 0;
   PartReader reader(options.render, options.files.image, scene.identity);
   const PartWriter writer(options.render, options.files, scene.identity);
@@ -142,7 +142,8 @@ void PrintMissingParts(const RenderOptions& asked) {
   if (is_timed && !HasTimeForRound(options, reader, round)) return;
   const std::string lines = lines_of(round);
   if (!lines.empty() || IsOfOneRound(options.render, reader.film())) return WriteStandardOutput(lines);
-  auto next = PlannedRound(scene, reader, std::move(round), watch);
+  if (!prepared) prepared.emplace(scene);
+  auto next = PlannedRound(scene, *prepared, reader, std::move(round), watch);
   if (!next || (is_timed && !HasTimeForRound(options, reader, *next))) return;
   const std::string of_next = lines_of(*next);
   // The plan is written before anyone needs it.

@@ -272,7 +272,7 @@ std::vector<OptionKind> LightOptions() {
        "without -fresnel: whether total internal reflection reflects light (off: it is lost)"},
       {"roulette", both, image, {}, {"name"}, OneOfEnum<Roulette>(AT(render.trace.roulette)), "", "light",
        "Russian roulette, unbiased (auto: path on; whitted off, cut at -min_luminance)"},
-      {"share", both, image | Needs{needs::mode_path, needs::shared_light}, 
+      {"share", both, image | Needs{needs::mode_path, needs::shared_light},
        {}, {"name"}, OneOfEnum<Sharing>(AT(render.share)), "", "light",
        "path: whether pixels share light from two bounces on (auto: if it pays, as in rooms)"},
       {"strategy", both, image | Needs{needs::mode_path},

@@ -219,7 +219,7 @@ Probe ProbeToError(const World& world, const Accelerator& accelerator, const Ren
   const RenderSettings settings = ForProbing(asked);
   Squares squares(world, accelerator, settings, rectangles);
   const Film& film = squares.film();
-  Schedule schedule(settings, {film.Columns(), film.AreasInRegion(), film.Together()}, false);
+  Schedule schedule(settings, {film.Columns(), film.AreasInRegion()}, false);
   Probe probe;
   const auto look = [&](const MeasuredError& noisy, const UnseenLight& unseen) {
     MeasuredError error = noisy;

@@ -281,21 +281,30 @@ TEST(Schedule, SamplesAreNearlyAsFewAsTheBestAllocation) {
   EXPECT_GE(8 * std::ranges::min(adaptive), mean(adaptive)) << "too few to find rare light";
 }
 
+/// Returns the blocks that gain samples; those of a square must gain equally many.
+int GainsOfSquares(const BlockGrid& grid, const Samples& before, const Samples& after) {
+  int gaining = 0;
+  for (int i = 0; i < blocks; ++i) {
+    const int side = grid.together, row = i / columns / side * side, column = i % columns / side * side;
+    EXPECT_EQ(after[static_cast<std::size_t>(i)], after[static_cast<std::size_t>(row * columns + column)]);
+    gaining += after[static_cast<std::size_t>(i)] > before[static_cast<std::size_t>(i)];
+  }
+  return gaining;
+}
+
 TEST(Schedule, SquaresOfBlocksThatShareLightContinueTogether) {
-  BlockGrid squares = Grid();
-  squares.together = 4;
-  Schedule schedule(ToErrorOne(), squares, false);
-  while (!schedule.DecidesByError()) ASSERT_FALSE(schedule.Next(quick_look));
-  const std::uint32_t before = schedule.State().end;
-  ASSERT_FALSE(schedule.Next(FoundInCorner(100, .1)));
-  const Samples& targets = schedule.State().targets.samples;
-  EXPECT_GT(targets[0], before);
-  EXPECT_EQ(targets.back(), before);
-  for (int row = 0; row < columns; ++row)
-    for (int column = 0; column < columns; ++column) {
-      const int first = row / 4 * 4 * columns + column / 4 * 4;
-      EXPECT_EQ(targets[static_cast<std::size_t>(row * columns + column)], targets[static_cast<std::size_t>(first)]);
-    }
+  const BlockGrid fours{columns, std::vector<double>(blocks, 64), 4}, twos{columns, fours.areas, 2};
+  Schedule to_error(ToErrorOne(), fours, false), within(Within(10), twos, false);
+  while (!to_error.DecidesByError()) ASSERT_FALSE(to_error.Next(quick_look));
+  Samples before = to_error.State().targets.samples;
+  ASSERT_FALSE(to_error.Next(FoundInCorner(100, .1)));
+  EXPECT_EQ(GainsOfSquares(fours, before, to_error.State().targets.samples), 16);
+  ASSERT_FALSE(within.Next(quick_look));
+  before = within.State().targets.samples;
+  ASSERT_FALSE(within.Next({.now = 9.2, .seconds_taken = 1, .samples_taken = 1, .error = {}}));
+  const int gaining = GainsOfSquares(twos, before, within.State().targets.samples);
+  EXPECT_GT(gaining, 0);
+  EXPECT_LE(gaining, blocks / 2);
 }
 
 TEST(Schedule, WithoutAdaptiveSamplingEveryBlockContinues) {
@@ -360,26 +369,6 @@ TEST(Schedule, TheRemainingTimeIsSpreadOverTheImage) {
     EXPECT_GE(gained, columns / 3) << row;
     EXPECT_LT(gained, columns) << row;
   }
-}
-
-TEST(Schedule, TheRemainingTimeIsSpreadOverSquares) {
-  BlockGrid squares = Grid();
-  squares.together = 2;
-  Schedule schedule(Within(10), squares, false);
-  ASSERT_FALSE(schedule.Next(quick_look));
-  const Samples before = schedule.State().targets.samples;
-  ASSERT_FALSE(schedule.Next({.now = 9.2, .seconds_taken = 1, .samples_taken = 1, .error = {}}));
-  const Samples& targets = schedule.State().targets.samples;
-  int raised = 0;
-  for (int row = 0; row < columns; ++row)
-    for (int column = 0; column < columns; ++column) {
-      const auto block = static_cast<std::size_t>(row * columns + column);
-      const int first = row / 2 * 2 * columns + column / 2 * 2;
-      EXPECT_EQ(targets[block], targets[static_cast<std::size_t>(first)]);
-      raised += targets[block] > before[block];
-    }
-  EXPECT_GT(raised, 0);
-  EXPECT_LT(raised, blocks / 2 + 1);
 }
 
 TEST(Schedule, WithoutTimeForAnotherSampleStops) {
