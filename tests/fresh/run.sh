@@ -117,8 +117,8 @@ with_sudo() {
 # script/release.sh itself, in a clone. FOLDER/made keeps what it makes, for "release".
 with_making() {
   say "what it needs"
-  in_root sh -c 'apt-get update; apt-get install -y --no-install-recommends git ca-certificates dpkg-dev debhelper \
-    python3-venv' >"$folder/log" 2>&1 || { cat "$folder/log"; fail "no packages"; }
+  in_root sh -c 'apt-get update; apt-get install -y --no-install-recommends git ca-certificates build-essential \
+    debhelper python3-venv' >"$folder/log" 2>&1 || { cat "$folder/log"; fail "no packages"; }
   in_root update-ca-certificates >"$folder/log" 2>&1  # those of the host as well
   line=$(as_user script/setup.sh | sed -n 's/^  \(apt-get update && apt-get install\)/\1/p')
   [ -n "$line" ] || fail "no line for the administrator"
