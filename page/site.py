@@ -88,11 +88,12 @@ class Site:
             preview += f'<meta property="og:description" content="{html.escape(about)}">\n'
         if os.environ.get("SITE_URL"):
             preview += f'<meta property="og:image" content="{os.environ["SITE_URL"].rstrip("/")}/{picture}">\n'
+        kind = "" if 'class="pictures' in body else ' class="prose"'
         text = (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
                 f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
                 f'<title>{html.escape(title)}</title>\n{preview}'
                 f'<link rel="stylesheet" href="{up}/writeup/style.css">\n<link rel="icon" href="{up}/web/icon.svg">\n'
-                f'</head>\n<body>\n<header>\n{self.menu(target)}\n</header>\n<main class="text">\n{body}\n</main>\n'
+                f'</head>\n<body{kind}>\n<header>\n{self.menu(target)}\n</header>\n<main class="text">\n{body}\n</main>\n'
                 f'</body>\n</html>\n')
         self.write(target, text)
 
@@ -111,8 +112,9 @@ class Markdown:
 
     def inline(self, text):
         parts = re.split(r"(`+[^`]+`+)", text)
-        return "".join(self.code_words(part.strip("`")) if i % 2 else self.words(part)
+        text = "".join(self.code_words(part.strip("`")) if i % 2 else self.words(part)
                        for i, part in enumerate(self.with_links(parts)))
+        return re.sub(r"\*\*([^*]+)\*\*", r"<strong>\1</strong>", text)
 
     def code_words(self, text):
         """Options are not broken behind their dash."""
@@ -137,7 +139,6 @@ class Markdown:
         text = re.sub(r"!\[([^\]]*)\]\(([^) ]+)\)", self.image, text)
         text = re.sub(r"\[([^\]]+)\]\(([^) ]+)\)", self.anchor, text)
         text = re.sub(r"\x00([^\x00]*)\x00", r"<code>\1</code>", text)
-        text = re.sub(r"\*\*([^*]+)\*\*", r"<strong>\1</strong>", text)
         return re.sub(r"(?<![\w*])\*([^*\s][^*]*)\*(?![\w*])", r"<em>\1</em>", text)
 
     def image(self, found):
