@@ -1,10 +1,10 @@
 #!/bin/sh
-# Renders every scene of scenes/ into scenes/thumbnails/NAME.jpg and writes scenes/README.md, a table of names, pictures
-# and the scenes' first comments. A picture is rendered again only if its scene, a mesh or a texture is newer.
+# Renders every scene of scenes/ into scenes/thumbnails/NAME.jpg and writes scenes/README.md, a table of names, images
+# and the scenes' first comments. An image is rendered again only if its scene, a mesh or a texture is newer.
 #
 #     script/thumbnails.sh [-all | -check]
 #
-# -all renders all of them. -check changes nothing and fails if the table is out of date or a picture is missing.
+# -all renders all of them. -check changes nothing and fails if the table is out of date or an image is missing.
 # RAYPRO names the program. Options of raypro that a scene needs are read from that comment: the words
 # after "Seen with", up to a period, a comma or a semicolon.
 set -eu
@@ -17,7 +17,7 @@ trap 'rm -rf "$work"' EXIT
 comment() { sed -n '/^#/!q; s/^# *//p' "$1" | tr '\n' ' ' | sed 's/ *$//'; }
 options() { comment "$1" | sed -n "s/.*Seen with -/-/p" | sed "s/[;,].*//; s/[.] .*//; s/[.]\$//"; }
 
-render() {  # scene, picture
+render() {  # scene, image
   # shellcheck disable=SC2046  # the options are words
   "$raypro" "$1" "$2" -width 128 -height 128 -samples "${SAMPLES:-64}" -filter mitchell -jpeg_quality 80 -quiet \
     $(options "$1")
@@ -28,7 +28,7 @@ mkdir -p scenes/thumbnails
   echo "<!-- Written by script/thumbnails.sh from the first comment of each scene. -->"
   echo "# Scenes, one feature per file"
   echo
-  echo "| scene | picture | what it shows |"
+  echo "| scene | image | what it shows |"
   echo "|---|---|---|"
   for scene in scenes/*.scn; do
     name=$(basename "$scene" .scn)
@@ -49,11 +49,11 @@ if [ "${1:-}" = -check ]; then
   exit 0
 fi
 for scene in scenes/*.scn; do
-  picture=scenes/thumbnails/$(basename "$scene" .scn).jpg
-  if [ "${1:-}" = -all ] || [ ! -f "$picture" ] || [ "$scene" -nt "$picture" ] ||
-     [ "$(find scenes/meshes scenes/textures -newer "$picture" -type f | head -1)" ]; then
-    echo "$picture"
-    render "$scene" "$picture"
+  image=scenes/thumbnails/$(basename "$scene" .scn).jpg
+  if [ "${1:-}" = -all ] || [ ! -f "$image" ] || [ "$scene" -nt "$image" ] ||
+     [ "$(find scenes/meshes scenes/textures -newer "$image" -type f | head -1)" ]; then
+    echo "$image"
+    render "$scene" "$image"
   fi
 done
 cp "$work/README.md" scenes/README.md
