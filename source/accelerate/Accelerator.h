@@ -74,7 +74,7 @@ class Accelerator {
 
   std::string kind;                  // a line of accelerators.def; for `auto`, the one that it chose
   std::vector<std::string> reasons;  // why `auto` chose it
-  /// Returns a description of what was built, in lines for -explain.
+  /// Describes the structure that was built, in lines for -explain.
   virtual std::vector<std::string> Explain() const { return {}; }
   /// Returns the number of levels of nested boxes, for the viewer; 0 if there are no boxes. BoxesAt returns the boxes
   /// of one level in the world; level 0 is the outermost. The structure inside a shared mesh contributes only the box

@@ -98,7 +98,7 @@ struct Visit {
   }
 };
 
-/// Joins what crosses the sides of the same cell.
+/// Joins crossings on the sides of the same cell.
 class Joining {
  public:
   Joining(SceneCut& cut, const Grid& grid) : cut_(cut), grid_(grid) {}
@@ -136,7 +136,7 @@ class Joining {
   }
 
   /// Joins the crossings around a cell: two with each other, more in pairs of a way in and a way out, straightest
-  /// first. What is then left over, as at the rim of an open surface, stays alone.
+  /// first. Any others, as at the rim of an open surface, stay alone.
   void Join(std::span<const Visit> visits) {
     if (visits.size() == 2) return Add(visits[0].crossing, visits[1].crossing);
     constexpr std::size_t most = 64;  // more in one cell is no curve any more

@@ -16,7 +16,7 @@ namespace ray {
 /// The plane of a cut: two axes of the world, or all camera rays of one row of the image.
 enum class SlicePlane { xz, yz, xy, camera_row };
 
-/// The part of a plane that is looked at: a square about `center` whose sides are along u and v.
+/// The visible part of a plane: a square about `center` whose sides are along u and v.
 struct Slice {
   R3::Point center;
   R3::Vector u{1, 0, 0}, v{0, 1, 0};  // unit, perpendicular: to the right and upward
@@ -57,7 +57,7 @@ struct SceneCut {
   Slice slice;
   std::vector<Crossing> crossings;
   std::vector<CutPiece> pieces;
-  int lines_given_up = 0;  // grid lines with more than most_crossings; the rest of these is not known
+  int lines_given_up = 0;  // grid lines with more than most_crossings, of which the others are missing
 };
 
 inline constexpr int most_crossings = 4096;  // of one grid line
@@ -66,9 +66,9 @@ inline constexpr int most_crossings = 4096;  // of one grid line
 /// of them along u and as many along v, each from crossing to crossing.
 ///
 /// Crossings are as exact as any hit. Pieces are not: they assume that a surface continues from one crossing to the
-/// next, which what is smaller than a cell (2 extent / lines) may belie. What lies between two neighboring grid lines
-/// both ways is not found. Of coinciding surfaces only one is found. Surfaces that lie in the plane itself are there as
-/// their shapes answer to rays in them: a box by its outline, a triangle not at all.
+/// next, which is wrong where details are smaller than a cell (2 extent / lines). Details between neighboring grid
+/// lines in both directions are not found, and only one of coinciding surfaces is. A surface in the plane itself is
+/// found as its shape intersects rays in the plane: a box by its outline, a triangle not at all.
 SceneCut CutOf(const World& world, const Accelerator& accelerator, const Slice& slice, int lines);
 
 }  // namespace ray

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double ray_to_nowhere = 2;           // radii of the scene
 constexpr std::size_t most_opaque_rays = 600;  // more would hide the scene
-constexpr int fainter = 4;                     // times, what is not chosen
+constexpr int fainter = 4;                     // times, rays that are not chosen
 constexpr double normal_length = 0.04;         // likewise
 
 ShownRays ShownAs(RayKind kind) {
@@ -54,7 +54,7 @@ R3::Point EndOf(const RecordedRay& ray, double scene_radius) {
   return StartOf(ray) + ray_to_nowhere * scene_radius * Unit(ray.ray.direction);
 }
 
-/// Returns for each ray if it is the chosen one, or one of those that led to it.
+/// Returns, for each ray, true for the chosen one and those that lead to it.
 std::vector<bool> OnTheWay(const PixelTrace& trace, std::optional<std::size_t> chosen) {
   std::vector<bool> is(trace.rays.size());
   if (!chosen || *chosen >= trace.rays.size()) return is;

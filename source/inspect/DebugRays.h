@@ -20,8 +20,8 @@ struct RayLook {
   std::array<bool, shown_ray_kinds> shows{true, true, true, true};
   bool normals = false;  // where rays end
   int deepest = -1;      // bounces; -1: all
-  /// The number of a ray among those of one pixel. It is shown whatever its kind, and the others are fainter except
-  /// those that led to it.
+  /// The number of a ray among those of one pixel. It is shown regardless of its kind; others are fainter, except those
+  /// that lead to it.
   std::optional<std::size_t> chosen{};
 
   /// Draws the rays of other pixels.
@@ -46,7 +46,7 @@ struct DebugRayCounts {
   int in_cut = 50;  // pixels of the cross section's row that are traced, evenly spread, >= 1
   friend bool operator==(const DebugRayCounts&, const DebugRayCounts&) = default;
 
-  /// The settings with so few shadow rays.
+  /// The settings with few shadow rays.
   RenderSettings Thinned(RenderSettings settings) const;
   /// Returns the number of samples of a pixel that are traced.
   int SamplesOf(const RenderSettings& settings) const { return std::min(camera, settings.samples); }
@@ -60,11 +60,11 @@ std::vector<PixelTrace> TraceGrid(const World& world, const Accelerator& acceler
 /// is two radii of the scene long. The more rays, the fainter each.
 Lines RayLines(const std::vector<PixelTrace>& traces, const DrawingSpace& space, const RayLook& look);
 
-/// Rays of another tracer in one color; a cross where the one ends that differs from ours, nothing for none.
+/// Rays of another tracer in one color, with a cross at the end of the one that differs from ours, if any.
 Lines ForeignLines(const PixelTrace& foreign, const DrawingSpace& space, std::optional<std::size_t> differs);
 Rgba ColorOfForeign();
 
-/// The chosen ray of a pixel alone, in its color, with a cross where it ends; none where none is chosen.
+/// The chosen ray of a pixel, in its color, with a cross at its end; empty if none is chosen.
 Lines ChosenRay(const PixelTrace& trace, const DrawingSpace& space, const RayLook& look);
 
 /// Rays as an .obj file of lines, grouped by kind, in the world.

@@ -117,7 +117,7 @@ class Reader {
   std::vector<SceneError> errors_;
 };
 
-/// The angle between two directions; 180 where one is none.
+/// Returns the angle between two directions; 180 if one of them is 0.
 double Degrees(const R3::Vector& a, const R3::Vector& b) {
   if (!(Length(a) > 0 && Length(b) > 0)) return 180;
   // The chord, which is accurate for small angles.
@@ -138,7 +138,7 @@ std::string Explained(const R3::Vector& direction, const std::vector<Mistake>& m
   return {};
 }
 
-/// Compares rays, starting from camera rays, with those of ours that they stand for.
+/// Compares rays, starting from camera rays, with our corresponding ones.
 class Comparison {
  public:
   Comparison(const PixelTrace& ours, const PixelTrace& foreign, const World& world, const RenderSettings& settings)
@@ -198,7 +198,7 @@ class Comparison {
   }
   static std::string Missing(const RecordedRay& ray) { return "a ray is missing: " + Named(ray); }
 
-  /// Among some of our rays the one of the same kind whose direction is nearest.
+  /// Returns, of some of our rays, the one of the same kind with the nearest direction.
   std::optional<std::size_t> Nearest(const std::vector<std::size_t>& among, const RecordedRay& theirs) const {
     std::optional<std::size_t> best;
     double least = 361;

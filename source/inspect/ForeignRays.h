@@ -23,7 +23,7 @@ struct ForeignPixel {
 
 /// Rays of one pixel, in the order of the file.
 struct ForeignRays {
-  std::optional<ForeignPixel> pixel;  // where the file says it
+  std::optional<ForeignPixel> pixel;  // if the file has it
   std::vector<ForeignRay> rays;
 };
 
@@ -32,8 +32,7 @@ struct ForeignRays {
 /// Throws SceneErrors that point at each mistake.
 ForeignRays ReadForeignRays(const Text& text);
 
-/// Returns whether a file holds such rays, by its name: it ends with .rays, or with .obj where its first group is a
-/// kind.
+/// Returns true if a file contains such rays: its name ends with .rays, or with .obj and its first group is a kind.
 bool IsForeignRays(const Text& text);
 
 /// The tolerances of FirstDifference.
@@ -42,22 +41,22 @@ inline constexpr double foreign_length = 5e-3;  // of places, in radii of the sc
 
 /// The difference of another tracer's rays from ours.
 struct RayDifference {
-  std::size_t foreign = 0;          // the ray that differs; or at whose end one is missing
+  std::size_t foreign = 0;          // the ray that differs, or at whose end a ray is missing
   std::optional<std::size_t> ours;  // the ray compared with it
   std::string text;                 // "reflection ray at depth 1: ..."
 };
 
 /// Finds the first ray, bounce by bounce, that differs from ours by more than the tolerances above, and names the
-/// mistake that explains it where one does. Nothing where all rays agree. Diffuse rays, which are random, are not
-/// compared.
+/// mistake that explains the difference, if known. Returns std::nullopt if all rays agree. Diffuse rays, which are
+/// random, are not compared.
 std::optional<RayDifference> FirstDifference(const PixelTrace& ours, const std::vector<ForeignRay>& foreign,
                                              const World& world, const RenderSettings& settings);
 
-/// Returns the pixel of the rays: as the file says, or that which the first camera ray of a pinhole goes through.
-/// Nothing if that is not in the image.
+/// Returns the pixel of the rays: as given in the file, or the one through which the first camera ray of a pinhole
+/// passes. std::nullopt if that is not in the image.
 std::optional<ForeignPixel> PixelOf(const ForeignRays& foreign, const Camera& camera, const RenderSettings& settings);
 
-/// Returns the same rays in the form of ours, each with the ray whose end it starts from, to be drawn like them.
+/// Returns the same rays in the form of ours, each with the ray at whose end it starts.
 PixelTrace AsTrace(const std::vector<ForeignRay>& foreign, double scene_radius);
 
 }  // namespace ray

@@ -11,8 +11,8 @@
 
 namespace ray {
 
-/// A scene ready to be rendered. Jobs share it, so that it lives until the last of them ends even if the viewer has
-/// another by then.
+/// A scene ready to be rendered. Jobs share it, so that it exists until the last of them ends, even after the viewer
+/// has opened another.
 struct LoadedScene {
   LoadedScene(const std::string& file, const ParseOptions& options, const AcceleratorSettings& how)
       : parsed(Parse(file, WithPlaces(options, places))),
@@ -21,7 +21,7 @@ struct LoadedScene {
   LoadedScene(ParsedScene scene, const AcceleratorSettings& how)
       : parsed(std::move(scene)), world(parsed.scene), accelerator(FindAcceleratorKind(how.name)->Make(world, how)) {}
 
-  ScnPlaces places;  // empty where the scene is in another language than .scn
+  ScnPlaces places;  // empty if the scene is not a .scn file
   ParsedScene parsed;
   World world;
   std::unique_ptr<const Accelerator> accelerator;

@@ -11,7 +11,7 @@ namespace ray {
 /// The content of a pixel, as its first sample found it.
 struct Pick {
   PixelTrace trace;
-  std::optional<R3::Point> point;  // nothing where the background is seen
+  std::optional<R3::Point> point;  // std::nullopt for the background
   std::uint32_t instance = 0;
   std::vector<std::string> text;  // node path, position, surface, material and rays, a line each
 };

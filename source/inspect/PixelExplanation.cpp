@@ -13,7 +13,7 @@ double Distance(const R2::Color& a, const R2::Color& b) {
   return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
 }
 
-/// A change of the settings, and what the other tracer does where it explains a difference.
+/// A change of the settings, and the behavior of the other tracer that it stands for.
 struct Change {
   std::string text;
   std::function<void(TraceSettings&)> apply;

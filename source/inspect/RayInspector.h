@@ -10,23 +10,22 @@
 
 namespace ray {
 
-/// The rays a user looks at: those of a grid of pixels, and those of one pixel. They stay where they are while the
-/// camera moves on.
+/// The visible rays: those of a grid of pixels, and those of one pixel. They stay in place when the camera moves.
 class RayInspector {
  public:
-  /// The grid of an image; its settings say from where.
+  /// Traces the grid of an image with these settings.
   void TraceGrid(const LoadedScene& scene, const RenderSettings& settings);
   /// One pixel, inside of the image.
   void TracePixel(const LoadedScene& scene, const RenderSettings& settings, int column, int row);
-  /// The pixel next to it, in the same image; false at the border, or when there is none.
+  /// Traces a neighboring pixel of the same image; returns false at the border, or if there is none.
   bool StepPixel(const LoadedScene& scene, int right, int up);
-  /// Traces the pixel again, if there is one, with the counts as they are now.
+  /// Traces the pixel again, if there is one, with the current counts.
   void TraceAgain(const LoadedScene& scene);
-  /// Sets the counts of what is traced from now on.
+  /// Sets the numbers of rays of later traces.
   void SetCounts(const DebugRayCounts& counts) { counts_ = counts; }
   const DebugRayCounts& Counts() const { return counts_; }
   /// Returns the share of the samples, and of the shadow rays to a light, that are traced, as the end of a message;
-  /// empty where they are all.
+  /// empty if all are.
   std::string WhatIsLeftOut() const;
   /// Shows more or fewer bounces.
   void StepBounce(int by);
@@ -34,26 +33,26 @@ class RayInspector {
   void ToggleNormals() { look_.normals = !look_.normals; }
   void ToggleGrid() { shows_grid_ = !shows_grid_; }
   void ForgetPixel() { pixel_.reset(), look_.chosen.reset(), difference_.reset(); }
-  /// One of the pixel's rays, by its number; nothing for none.
+  /// Chooses one of the pixel's rays by its number; std::nullopt for none.
   void Choose(std::optional<std::size_t> ray) { look_.chosen = ray; }
   /// Forgets all rays, for another scene.
   void ForgetAll();
 
-  /// Rays of another tracer, to be shown with ours from now on, and compared with those of each pixel that is traced.
+  /// Sets the rays of another tracer, which are shown with ours and compared with those of each traced pixel.
   void SetForeign(std::vector<ForeignRay> rays) { foreign_ = std::move(rays); }
   const std::vector<ForeignRay>& Foreign() const { return foreign_; }
-  /// The first of them that differs from ours of the pixel; nothing where none does, or there are no rays.
+  /// The first of them that differs from ours in the pixel; std::nullopt if none does.
   const std::optional<RayDifference>& Difference() const { return difference_; }
 
   bool ShowsGrid() const { return shows_grid_; }
   const RayLook& Look() const { return look_; }
   const std::vector<PixelTrace>& Grid() const { return grid_; }
   const std::optional<PixelTrace>& Pixel() const { return pixel_; }
-  /// Another for each pixel traced, from 1.
+  /// The number of pixels traced so far.
   int TraceNumber() const { return trace_number_; }
-  /// The settings of the image that the pixel is in.
+  /// The settings of the pixel's image.
   const RenderSettings& PixelSettings() const { return pixel_settings_; }
-  /// All rays that are shown.
+  /// All visible rays.
   std::vector<PixelTrace> Shown() const;
 
  private:

@@ -51,7 +51,7 @@ void ForEachNode(const World& world, const Visit& visit) {
   }
 }
 
-/// The color made as bright as can be without losing its hue; white for black.
+/// Returns the brightest color of the same hue; white for black.
 Rgba Bright(const R2::Color& color) {
   const double most = std::max({color.r, color.g, color.b});
   return most > 0 && std::isfinite(most) ? Shown(color / most) : Rgba{255, 255, 255, 255};
@@ -127,7 +127,7 @@ Lines LinesOf(const Light& light, const DrawingSpace& space) {
   return lines;
 }
 
-/// Boxes that hide the scene say less than faint ones.
+/// Makes boxes the fainter the more there are, so that the scene remains visible.
 void Fade(BoxLines& boxes) {
   constexpr std::size_t most_opaque = 500;
   for (Vertex& v : boxes.lines) v.color = Faded(v.color, static_cast<std::size_t>(boxes.boxes), most_opaque);

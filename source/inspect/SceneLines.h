@@ -14,7 +14,7 @@ namespace ray {
 
 // Lines drawn over a scene.
 
-/// Bounding boxes, 12 lines each; of very many only the first. The more, the fainter each.
+/// Bounding boxes, 12 lines each, up to a limit. The more boxes, the fainter they are.
 struct BoxLines {
   Lines lines;
   std::int64_t boxes = 0;     // drawn
@@ -24,8 +24,8 @@ inline constexpr std::int64_t most_boxes = 200'000;  // 77 MB of vertices
 inline constexpr int all_levels = -1;
 
 /// The boxes of the nodes of the scene graph at a level, the root's 0, or at all_levels; each with the axes of the
-/// node's parent: slanted ones where a group above turns. Boxes of what moves are around all of its own way, as the
-/// tracer uses them, and where their parent is when the shutter opens.
+/// node's parent: rotated ones below a group that rotates. Boxes of moving nodes enclose their whole motion, as in
+/// tracing, at the position of their parent when the shutter opens.
 BoxLines NodeBoxLines(const World& world, const DrawingSpace& space, int level);
 
 /// Returns the parent of each node, as an index into World::Nodes; their number for the root.
@@ -34,7 +34,7 @@ std::vector<std::size_t> ParentsOf(const World& world);
 /// The frame that the bounds of a node are in: its parent's. `node`: an index into World::Nodes.
 std::uint32_t FrameAround(const World& world, std::size_t node);
 
-/// The box of one node, an index into the world's; likewise. Nothing of an empty one.
+/// The box of one node, an index into World::Nodes; likewise. No lines for an empty box.
 Lines NodeBoxOf(const World& world, const DrawingSpace& space, std::size_t node, const Rgba& color);
 
 /// The bounding boxes of an accelerator at a level or at all_levels; see Accelerator::BoxesAt.
@@ -48,9 +48,9 @@ Rgba LevelColor(int level);
 Lines CameraLines(const Camera& camera, int width, int height, double distance, const DrawingSpace& space,
                   const Rgba& color);
 
-/// Every light that is not black, in its color: a star where it is, circles around its bounding sphere, an arrow
-/// where it is directional, and from outside of the scene a faint line to its middle; for one at infinity an arrow into
-/// the scene.
+/// Every light that is not black, in its color: a star at its position, circles around its bounding sphere, an arrow
+/// for its direction and, if it is outside of the scene, a faint line to the scene's middle; for a light at infinity an
+/// arrow into the scene.
 Lines LightLines(const Scene& scene, const DrawingSpace& space);
 
 /// The lines that the scene itself contains, in the color of their material.
@@ -68,13 +68,13 @@ struct SpaceOverlays {
   enum class Boxes { none, nodes, accelerator };
 
   bool faces = true, edges = false, camera = false, lights = false;
-  bool quad = true;     // the rendered image in space, where there is one
-  bool shadows = true;  // of the preview, where the scene has any
+  bool quad = true;     // the rendered image in space, if any
+  bool shadows = true;  // of the preview, if the scene has lights
   Boxes boxes = Boxes::none;
   int box_level = all_levels;
 };
 
-/// The boxes that are shown, as lines; none where none are.
+/// The visible boxes, as lines.
 BoxLines LinesOfBoxes(const SpaceOverlays& overlays, const World& world, const Accelerator& accelerator,
                       const DrawingSpace& space);
 std::string DescribeBoxes(const SpaceOverlays& overlays, const World& world, const Accelerator& accelerator,

@@ -15,24 +15,24 @@ class SectionView {
   void Toggle() { is_shown_ = !is_shown_; }
   /// The next of camera_row, xz, yz, xy.
   void NextPlane();
-  /// Shows that row of an image, where camera_row is shown. Returns whether it is another.
+  /// Shows that row of an image, if camera_row is shown. Returns true if the row has changed.
   bool MoveTo(int row);
-  /// A row up or down of an image so high, or a hundredth of the scene along the plane's normal.
+  /// Moves a row up or down in an image of that height, or by a hundredth of the scene along the plane's normal.
   void Move(int by, int height);
-  /// Cuts the scene again, for a drawing of that size; for camera_row as seen by `settings`, for others through
-  /// `center` of the scene. Rays are those of the row, or of the middle row (of the middle column for yz).
+  /// Cuts the scene again, for a drawing of that size; for camera_row with the camera of `settings`, for other planes
+  /// through `center` of the scene. Rays are those of the row, or of the middle row (of the middle column for yz).
   void Cut(const LoadedScene& scene, const RenderSettings& settings, const R3::Point& center, const DrawingSize& size,
            const DebugRayCounts& counts = {});
 
   SlicePlane Plane() const { return plane_; }
-  /// The row of the image that camera_row is, from the bottom.
+  /// The image row of camera_row, from the bottom.
   int Row(int height) const { return row_ < 0 ? height / 2 : std::min(row_, height - 1); }
   /// Once it was cut.
   const std::optional<SceneCut>& cut() const { return cut_; }
-  /// The rays of every so many pixels, traced with the cut.
+  /// The rays of every n-th pixel, traced with the cut.
   const std::vector<PixelTrace>& Rays() const { return rays_; }
   /// All of it, in the square from -1 to 1, and labels in pixels from its lower left corner. Once it was cut.
-  ///   line_width   pixels, that lines will be drawn in
+  ///   line_width   of lines, in pixels
   SliceAxes Drawing(const LoadedScene& scene, const RayLook& look, const LetterSize& letters, int line_width = 1) const;
   /// Describes the place of a pixel of the drawing, its distance from the eye (camera_row) or the origin of the plane's
   /// axes, and how far from another pixel. Once it was cut.
@@ -40,8 +40,7 @@ class SectionView {
   std::string Describe(int height) const;
 
  private:
-  /// The camera as the slice shows it, in its coordinates: the eye, and the ends of a row or column in an image
-  /// before it.
+  /// The camera in the coordinates of the slice: the eye, and the ends of a row or column in an image before it.
   struct CameraMark {
     R2::Point eye, left, right;
   };
@@ -60,7 +59,7 @@ class SectionView {
 
   bool is_shown_ = false;
   SlicePlane plane_ = SlicePlane::camera_row;
-  int row_ = -1;       // the middle until it is moved
+  int row_ = -1;       // -1: the middle row
   double offset_ = 0;  // of the other planes, in radii of the scene
   std::optional<SceneCut> cut_;
   SliceView view_;

@@ -10,7 +10,7 @@
 namespace ray {
 namespace {
 
-constexpr double room_around = 1.05;  // of what is cut, so that its outline does not touch the edge
+constexpr double room_around = 1.05;  // times the size of the cut, so that its outline does not touch the edge
 constexpr Rgba grid_color{255, 255, 255, 28}, zero_color{255, 255, 255, 80}, scale_color{255, 255, 255, 255};
 constexpr Rgba number_color{210, 210, 220, 255};
 constexpr double gap = 0.25;               // between text and an edge, in heights of a line
@@ -59,7 +59,7 @@ Ticks TicksOf(double low, double high, double room_for) {
   return ticks;
 }
 
-/// Nothing where there is no room for it to the right of `numbers_end`, a column of the drawing.
+/// Adds the scale if there is room for it to the right of `numbers_end`, a column of the drawing.
 void AddScale(SliceAxes& axes, const SliceView& view, const Ticks& ticks, const LetterSize& letters,
               double numbers_end) {
   const double letter = letters.width, line = letters.height, edge = gap * line;
@@ -140,7 +140,7 @@ SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, con
 
 namespace {
 
-constexpr double alpha_of_filling = 80 / 255.0;  // so that what is inside something else is seen through it
+constexpr double alpha_of_filling = 80 / 255.0;  // so that enclosed shapes are seen through it
 
 Rgba ColorOfCut(const World& world, std::uint32_t instance) {
   const Material& m = *world.Instances()[instance].material;
@@ -188,7 +188,7 @@ void AddRows(Outline& outline, const SliceView& view, const R2::Point& a, const 
   }
 }
 
-/// Returns the alpha of each of so many layers that together have the alpha of the filling.
+/// Returns the alpha of each of `layers` layers that together have the alpha of the filling.
 std::uint8_t AlphaOfLayer(int layers) {
   return static_cast<std::uint8_t>(std::lround(255 * (1 - R1::Pow(1 - alpha_of_filling, 1.0 / layers))));
 }

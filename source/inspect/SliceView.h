@@ -9,7 +9,7 @@
 
 namespace ray {
 
-/// The part of a slice that is drawn: all of the scene's cut, as large as a drawing of `size` pixels holds it.
+/// The mapping of a slice to a drawing: the whole cut of the scene, as large as fits into `size` pixels.
 struct SliceView {
   R2::Point middle;        // of the drawing, in the slice's coordinates
   double pixel = 1;        // the side of one, in the slice's units, > 0
@@ -31,7 +31,7 @@ struct SliceView {
   }
 };
 
-/// The unit of the numbers at a slice.
+/// The axes of the numbers at a slice.
 struct SliceCoordinates {
   std::array<std::string, 2> names;  // of the axes to the right and upward
   R2::Point origin;                  // where both are 0, in the slice's coordinates
@@ -44,11 +44,11 @@ struct SliceAxes {
   std::vector<Label> labels;
 };
 
-/// Numbers along the lower and the left edge with faint lines through them, and a scale: a bar of the length that is
-/// written on it. `letters`: of labels.
+/// Numbers along the lower and the left edge with faint lines through them, and a scale: a bar labeled
+/// with its length. `letters`: of labels.
 SliceAxes AxesOf(const SliceView& view, const SliceCoordinates& coordinates, const LetterSize& letters);
 
-/// The least of 1, 2, 5, 10 and so on times powers of ten that goes at most `most` (>= 1) times into `range` (> 0).
+/// Returns the least of 1, 2 and 5 times powers of ten that fits at most `most` (>= 1) times into `range` (> 0).
 double TickStep(double range, int most);
 
 // A cut as lines in the square from -1 to 1.
@@ -56,9 +56,9 @@ double TickStep(double range, int most);
 /// The pieces, each in the color of its instance's material, made bright enough for a dark background.
 Lines CutLines(const SceneCut& cut, const World& world, const SliceView& view);
 
-/// The insides of what is cut, in the same colors, fainter: a line through the middle of each row of pixels. Of solids,
-/// and of others whose cut consists of closed curves. What has no end on a row is not filled there. Lines that are
-/// several pixels wide lie over each other, and are the fainter.
+/// The fill of cut objects, in the same colors, fainter: a line through the middle of each row of pixels. Solids are
+/// filled, and other objects whose cut consists of closed curves, except in rows where a curve is open. Lines wider
+/// than a pixel overlap, and are fainter.
 Lines CutFilling(const SceneCut& cut, const World& world, const SliceView& view, int line_width = 1);
 
 }  // namespace ray

@@ -10,10 +10,10 @@
 
 namespace ray {
 
-/// The rendered image, or the crop of it that was rendered, as it hangs in space before its camera.
+/// The rendered image, or its crop, in space before its camera.
 class TracedQuad {
  public:
-  /// `own`: the camera of the scene; `middle`: of what is looked at; `radius`: of the scene.
+  /// `own`: the camera of the scene; `middle`: of the objects in view; `radius`: of the scene.
   TracedQuad(const RenderSettings& traced, const Camera& own, const R3::Point& middle, double radius);
 
   const Camera& camera() const { return camera_; }

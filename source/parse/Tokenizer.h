@@ -38,7 +38,7 @@ class Tokenizer {
   /// Skips the rest of a line, and returns the number of words skipped.
   std::size_t SkipLine(std::size_t line);
 
-  /// Returns the bytes after the last word that Next or Peek returned: an upper limit for what a header may announce.
+  /// Returns the bytes after the last word that Next or Peek returned: an upper limit for a header's sizes.
   std::size_t BytesLeft() const { return static_cast<std::size_t>(end_ - next_); }
   const Text& Source() const { return text_; }
 

@@ -42,7 +42,7 @@ class Reader {
   }
 
  private:
-  /// A step by its first word, and what reads the rest of its line.
+  /// A step: its first word, and the function that reads the rest of its line.
   struct Step {
     std::string_view name;
     void (Reader::*read)();
@@ -238,7 +238,7 @@ class Reader {
     return {*key, modifiers};
   }
 
-  /// Behind the first word: as it stands, with the blanks inside, and no # in it starts a comment.
+  /// Returns the text after the first word unchanged, with blanks; # starts no comment.
   std::string RestOfLine(const std::string& what) {
     std::string_view rest(text_.bytes);
     rest.remove_prefix(static_cast<std::size_t>(line_.text.data() + line_.text.size() - rest.data()));

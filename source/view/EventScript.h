@@ -9,7 +9,7 @@
 
 /// The events of a viewer as text, written by people or recorded. One step per line; # starts a comment,
 /// except in the rest of a line that is text or a name. A step that does nothing is an error: a key without a function,
-/// text outside of a field, a click in the panels that changes nothing or outside of the drawing, a wait for no image.
+/// text outside of a field, a click in the panels without effect, a click outside of the drawing, a wait for no image.
 ///
 ///     key Control+S              pressed and released
 ///     press W / release W
@@ -23,18 +23,18 @@
 ///     scroll -1 100 100          towards the user
 ///     resize 640 480             and 2 behind it for a screen twice as dense
 ///     drop other.scn             the rest of the line is the name of a file
-///     tick 0.1                   so many seconds pass
+///     tick 0.1                   that many seconds pass
 ///     close
 ///     wait trace                 until all that is being rendered has ended
 ///     wait image                 until the traced image is whole; it is shown from then on
-///     wait rows 100              until so many rows of the render are done
+///     wait rows 100              until that many rows are rendered
 ///     wait 0.5                   seconds
 ///     screenshot out.png
-///     panel Settings             a click in the panels, on the first thing whose name begins so
-///     print                      a description of what the viewer shows
+///     panel Settings             a click in the panels, on the first item whose name begins with this
+///     print                      a description of the drawing
 namespace ray {
 
-/// Says from where y counts in the steps that follow.
+/// Sets the edge from which y counts in later steps.
 struct Origin {
   bool is_bottom = false;
 };
@@ -63,7 +63,7 @@ struct ScriptStep {
 /// Reads a script, which must outlive its steps. Throws SceneErrors that point at each mistake.
 std::vector<ScriptStep> ReadEventScript(const Text& text);
 
-/// An event as lines of a script, each with its end. None for a window without a size, as one that is minimized has.
+/// Returns an event as lines of a script, each with its end; empty for the size of a minimized window, which is 0.
 std::string ScriptLine(const Event& event);
 
 }  // namespace ray

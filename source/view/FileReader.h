@@ -11,7 +11,7 @@ namespace ray {
 /// Reads files in the background, so that the window answers meanwhile: scenes, images, rays of another tracer.
 class FileReader {
  public:
-  /// Shows what was read.
+  /// Shows the file that was read.
   using Show = std::function<void()>;
   using Read = std::function<Show()>;
   using Refuse = std::function<void(const std::exception&)>;
@@ -20,7 +20,7 @@ class FileReader {
   /// that calls Update, what it returned, or `refuse` with the error of either.
   ///   is_edit  the file has unsaved changes, which are lost if it is not shown
   void Begin(const std::string& file, bool is_edit, Read read, Refuse refuse);
-  /// Shows what has been read, or, if `waits`, what is being read.
+  /// Shows a file whose reading is complete; if `waits`, waits until it is.
   void Update(bool waits = false);
 
   void Stop() { job_.Drop(); }

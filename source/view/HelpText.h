@@ -15,7 +15,7 @@ struct HelpRow {
 /// Returns the number of letters of a text in UTF-8.
 std::size_t CountLetters(std::string_view text);
 
-/// The words of a text in UTF-8 in lines of at most `columns` letters; longer words are broken.
+/// Wraps a text in UTF-8 into lines of at most `columns` letters; longer words are broken.
 std::vector<std::string> InLines(const std::string& text, int columns);
 
 /// A line for each row, keys and texts below one another.

@@ -15,7 +15,7 @@ struct KeyBinding {
   Modifiers modifiers;
   const char* help;  // empty: as the line before
   std::function<void(ViewerState&)> act;
-  std::function<void(ViewerState&)> release = nullptr;  // where it lasts as long as the key is held
+  std::function<void(ViewerState&)> release = nullptr;  // for actions that last as long as the key is held
 };
 
 const std::vector<KeyBinding>& KeyBindings();

@@ -17,8 +17,8 @@ class Notices {
     needs_redraw_ = true;
   }
   const std::string& Message() const { return message_; }
-  /// Asks whether to do what cannot be undone. Returns true where the same was asked by the action just before and is
-  /// still to be read; else shows the question.
+  /// Asks for confirmation of an action that cannot be undone. Returns true if the action just before asked the same
+  /// question and it is still visible; otherwise shows the question.
   bool Confirms(const std::string& question) {
     const bool is_answer = question == question_ && action_ == asked_at_ + 1 && Strength() > 0;
     if (!is_answer) Show(question);
@@ -35,7 +35,7 @@ class Notices {
     constexpr double seconds_of_message = 5, seconds_of_fading = 1;
     return std::clamp((since_ + seconds_of_message - now_) / seconds_of_fading, 0.0, 1.0);
   }
-  /// The message, which is none from now on: what comes next is known to be new. PutBack takes that back.
+  /// Returns the message and clears it, so that the next one is known to be new. PutBack restores it.
   std::string TakeMessage() { return std::exchange(message_, {}); }
   void PutBack(const std::string& message) { message_ = message; }
 
@@ -48,7 +48,7 @@ class Notices {
   }
 
   void Redraw() { needs_redraw_ = true; }
-  /// The lines in space are others.
+  /// The lines in space have changed.
   void RedrawLines() { needs_redraw_ = has_new_lines_ = true; }
   /// Returns true if a redraw was requested since the last call.
   bool TakeRedraw() { return std::exchange(needs_redraw_, false); }

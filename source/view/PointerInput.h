@@ -8,7 +8,7 @@
 namespace ray {
 
 /// The handler of the pointer: presses that become clicks or drags, of the view, the flat image, the cross section, or
-/// what is chosen in the scene.
+/// the selection in the scene.
 class PointerInput {
  public:
   void On(const ButtonEvent& event, ViewerState& viewer);
@@ -17,7 +17,7 @@ class PointerInput {
 
   /// Returns true if releasing the button would end the current action.
   bool IsHeldBy(Button button) const { return press_ && press_->button == button; }
-  /// The press has done something meanwhile.
+  /// The current press has had an effect, so it is no click.
   void TakeNoClick() {
     if (press_) press_->is_click = false;
   }

@@ -17,10 +17,10 @@ namespace ray {
 class ViewedScene {
  public:
   void Take(std::shared_ptr<const LoadedScene> scene);
-  /// Begins to make its preview, for these settings, in the background. What takes no longer than a moment is there at
-  /// once; else TakeFaces says when.
+  /// Begins to make its preview, for these settings, in the background. If that takes no longer than a moment it
+  /// is there at once; otherwise TakeFaces returns true once it is.
   void MakeFaces(const RenderSettings& settings);
-  /// Takes the preview that was begun last, if it is made by now, or waits for it. Returns whether Faces is another.
+  /// Takes the last preview that was begun if it is complete, or waits for it. Returns true if Faces has changed.
   bool TakeFaces(bool waits = false);
   bool IsMakingFaces() const { return making_.IsBusy(); }
 
@@ -33,15 +33,15 @@ class ViewedScene {
   const DrawingSpace& Space() const { return space_; }
   /// The preview; null while it is being made.
   const std::shared_ptr<const PreviewScene>& Faces() const { return faces_; }
-  /// Returns a description of what the preview leaves out; empty if it leaves out nothing.
+  /// Describes the parts of the scene that the preview does not show; empty if it shows all.
   const std::string& Notes() const { return notes_; }
-  /// Another for each scene that was opened or read again, from 1.
+  /// The number of scenes opened or read again so far.
   int Number() const { return number_; }
 
-  /// `file` was to be read, and cannot be; the scene shown stays.
+  /// Keeps the mistakes of a file that cannot be read; the current scene stays.
   void KeepMistakes(const std::string& file, const std::exception& error);
   void ForgetMistakes() { mistakes_.clear(); }
-  /// Empty where nothing is wrong.
+  /// Empty if there are none.
   const std::vector<SceneError>& Mistakes() const { return mistakes_; }
   /// The file that has them.
   const std::string& MistakenFile() const { return mistaken_file_; }

@@ -95,7 +95,7 @@ bool Viewer::On(const KeyEvent& event) {
   if (!binding) return false;
   const std::string before = state_.notices.TakeMessage();
   binding->act(state_);
-  // What was seen last is what is saved, of the end and of a screenshot.
+  // Closing and screenshots save the drawing that the user saw last.
   if (state_.is_closed || state_.notices.Message().empty()) state_.notices.PutBack(before);
   state_.notices.Redraw();
   return true;

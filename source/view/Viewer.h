@@ -12,7 +12,7 @@
 
 namespace ray {
 
-/// A scene being looked at: what the user's events do to it, and what is to be drawn. Knows nothing of windows and
+/// A scene being looked at: it handles the user's events and says what to draw. Knows nothing of windows and
 /// OpenGL; for one thread.
 ///
 /// An event goes to the panels first, where they are shown; then to the pointer (PointerInput.h), or to the table of
@@ -24,7 +24,7 @@ class Viewer {
 
   /// Returns false if the event is a key that is not bound, or text outside of a field, and so does nothing.
   bool Handle(const Event& event);
-  /// Starts and ends what is due. Returns whether Show would return something else than the last time.
+  /// Starts and ends jobs that are due. Returns true if the result of Show has changed.
   bool Update();
   /// Valid until the next call of Handle or Update.
   FrameState Show();
@@ -37,20 +37,20 @@ class Viewer {
 
   /// The title as of the last Update. Time alone changes it, a few times a second; see TitleOf.
   std::string Title() const;
-  /// Returns a description of what is shown, in lines, for scripts.
+  /// Describes the drawing in lines, for scripts.
   std::string Describe();
   /// Returns the same description without the text of the panels, which would change how far they are scrolled.
   std::string DescribeWithoutPanels();
   /// Returns the text of the panels and the help, in lines; empty if they are hidden.
   std::string TextOfPanels();
-  /// Scrolls what has a name that begins so into view in the panels.
+  /// Scrolls the item of the panels whose name begins with this into view.
   void Reveal(const std::string& name);
   /// Returns the items of the panels that take clicks, as last drawn.
   const std::vector<PanelItem>& ItemsOfPanels() const;
 
   // For the program around it.
   void ShowPanels(const PanelSettings& look);
-  /// The file of the settings has these mistakes, and the scene shown is another.
+  /// Shows the mistakes in the file of the settings, for which another scene is shown.
   void ShowMistakes(const SceneErrors& mistakes);
   /// Waits for the scene that is being read, so that the next event finds it shown.
   void WaitForScene();
@@ -71,7 +71,7 @@ class Viewer {
   DrawingSize Size() const { return state_.screen.size; }
 
  private:
-  /// Gives the event to the panels or the view. Returns whether it does anything.
+  /// Passes the event to the panels or the view. Returns false if it has no effect.
   bool Deliver(const Event& event);
   bool On(const KeyEvent& event);
   static bool On(const TextEvent&) { return false; }

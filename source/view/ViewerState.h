@@ -31,10 +31,10 @@ struct Selection {
   std::optional<std::size_t> node;  // of the scene graph, into World::Nodes
 };
 
-/// The pieces of the drawing, from the left: the view of the scene; the cross section, where it is shown; and the
-/// column of panels, where they are, as high as all of it. Their status bar is above the former two.
+/// The parts of the drawing, from the left: the view of the scene, the cross section and the column of panels, which
+/// is as high as the drawing. The status bar is above the first two. All but the view may be hidden.
 struct Layout {
-  /// `column`: how wide panels are, and `bar` how high their status bar; 0 where they are hidden.
+  /// `column`: the width of the panels, `bar`: the height of their status bar; 0 if they are hidden.
   static Layout Of(const DrawingSize& all, double column, double bar, bool has_section);
 
   /// Returns true if a position in the drawing is on the cross section.
@@ -44,12 +44,12 @@ struct Layout {
   /// Returns the place of an image of that many pixels in the view: centered, as large as fits.
   PixelBox PlaceFor(double width, double height) const;
 
-  DrawingSize view, section;  // the former at least 1 x 1, the latter of width 0 where it is hidden
+  DrawingSize view, section;  // at least 1 x 1; of width 0 if it is hidden
   int bottom = 0;             // of both, in the drawing
 };
 
-/// All that a viewer knows, each part with rules of its own. The commands in source/view/commands change it, as keys
-/// (KeyBindings.h), the pointer (PointerInput.h) and panels request; source/view/show makes the drawing from it.
+/// The state of a viewer; each part has rules of its own. The commands in source/view/commands change it, as keys
+/// (KeyBindings.h), the pointer (PointerInput.h) and panels request; source/view/show draws it.
 struct ViewerState {
   /// `shown`: read from the settings' file. The host must outlive it.
   ViewerState(ViewerSettings begin, const LoadedScene& shown, ViewerHost& around);
@@ -58,14 +58,14 @@ struct ViewerState {
   ViewerHost& host;
   ViewerSettings settings;
   struct {
-    int number = 0;       // another after each change of an option
-    std::string problem;  // why the last one was refused; empty when it was not
+    int number = 0;       // of changes so far
+    std::string problem;  // the reason why the last one was refused; empty if it was not
   } option_changes;
   Notices notices;
 
   ViewedScene scene;
-  FileReader reader;  // of what is to be shown next
-  FileWatch watch;  // over its files
+  FileReader reader;  // of the scene to show next
+  FileWatch watch;    // over its files
   Navigator navigator;
   Bookmarks bookmarks;
   SceneEditor editor{*this};
@@ -87,17 +87,17 @@ struct ViewerState {
     friend bool operator==(const TracedAs&, const TracedAs&) = default;
   };
   TracedAs traced_as;
-  std::optional<PixelRectangle> crop;  // of the view, that key S renders; nothing for all of it
+  std::optional<PixelRectangle> crop;  // the part of the view that key S renders; std::nullopt for all of it
 
   SpaceOverlays overlays;
   RayInspector rays;
   SectionView section;
   struct {
-    std::shared_ptr<const SliceAxes> drawing;  // null when it must be made again
+    std::shared_ptr<const SliceAxes> drawing;  // null if it is out of date
     DrawingSize size;                          // of that
     PanelTheme theme = PanelTheme::dark;       // likewise
     bool takes_arrows = false;                 // else the pixel
-    std::optional<R2::Point> measured_from;    // where the pointer was pressed on it, while it is
+    std::optional<R2::Point> measured_from;    // the place of the press, while the button is held
   } section_pane;
 
   const std::unique_ptr<Panels> panels;
@@ -108,42 +108,42 @@ struct ViewerState {
   struct {
     DrawingSize size;
     double scale = 1;           // pixels per unit of length
-    R2::Point pointer{-1, -1};  // where it was last seen, in pixels of the drawing
+    R2::Point pointer{-1, -1};  // its last position, in pixels of the drawing
   } screen;
   bool is_closed = false;
 
   PanelParts Parts() const { return {shows.panels, shows.help, shows.panels || settings.shows_bar}; }
   Layout layout() const;
-  /// The settings to render what the view shows, pixel by pixel; and those of key S, for all of the drawing.
+  /// The settings to render the view, pixel by pixel; and those of key S, for the whole drawing.
   RenderSettings SettingsOfView() const { return SettingsFor(layout().view); }
   RenderSettings SettingsOfImage() const { return SettingsFor(screen.size); }
   bool HasMovedCamera() const { return SettingsOfView().view.has_value(); }
-  /// The ray through a position in the drawing, of the projection that is seen there: the camera's own in a traced
-  /// image, else a pinhole's; nothing outside of its view.
+  /// Returns the ray through a position in the drawing, by the projection of the image there: the camera's own in a
+  /// traced image, otherwise a pinhole's; std::nullopt outside of its view.
   std::optional<R3::Ray> RayAt(const R2::Point& position) const;
   /// Returns the first point that it hits; std::nullopt for the background.
   std::optional<R3::Point> PointAt(const R2::Point& position) const;
 
-  // The image: the image shown flat, where one is, or the view.
+  // The image: the image shown flat, if any, or the view.
   /// Returns the job of the image shown flat; null if none is.
   const RenderJob* FlatJob() const;
   RenderSettings SettingsOfShownImage() const;
   Camera CameraOfShownImage() const;
   /// The rectangle that the preview is drawn in: the view, or the flat image up to its slider.
   DrawingSize SizeOfPreview() const;
-  /// Returns its place in the drawing; and its place if it were as large as fits.
+  /// Returns its place in the drawing; and its largest possible place.
   PixelBox PlaceOfShownImage() const { return FlatJob() ? flat.Place(FittingPlace()) : FittingPlace(); }
   PixelBox FittingPlace() const;
   /// A position in the drawing as one in that image.
   R2::Point InShownImage(const R2::Point& position) const;
-  /// Returns the place in the drawing of what a job has rendered: a crop, or all.
+  /// Returns the part of the drawing that a job renders: a crop, or all of it.
   PixelBox PlaceOf(const RenderJob& job) const;
   R2::Point PointerInShownImage() const { return InShownImage(screen.pointer); }
 
   /// A position in the drawing as one in the image that key S renders.
   R2::Point InImage(const R2::Point& position) const;
 
-  /// The image of key S in space; nothing where it is not shown.
+  /// Returns the image of key S in space; std::nullopt if it is not shown.
   std::optional<TracedQuad> Quad() const;
   /// Returns the end of a message that a scene is open: "; the scene is unlit".
   std::string NotesAfterMessage() const { return scene.Notes().empty() ? "" : "; " + scene.Notes(); }

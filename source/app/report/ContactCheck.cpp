@@ -175,7 +175,7 @@ bool IsWithin(const World& world, const Instance& inner, const Instance& outer) 
   return has_inside;
 }
 
-/// Returns what is wrong with the priorities of two clear solids, the first of the file first; empty if nothing is.
+/// Returns the problem with the priorities of two clear solids, given in the order of the file; empty if there is none.
 std::string ContradictionOf(const World& world, const Instance& first, const Instance& second) {
   const Material &a = *first.material, &b = *second.material;
   if (a.priority != b.priority) {

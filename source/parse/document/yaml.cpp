@@ -53,7 +53,7 @@ class YamlEvents : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     Value null;
-    // An absent value has the mark of what follows it.
+    // An absent value has the mark of the next token.
     if (builder_.IsInSequence())
       null.extent = ExtentOfItem(OffsetOf(mark));
     else

@@ -33,7 +33,7 @@ class Faces {
     R1::ReserveOnHugePages(mesh_.triangles, std::min(faces, bytes_left / least_bytes));
   }
   /// Adds a face whose corners are at `places`, indices into the mesh's positions; the triangles are made of the
-  /// corresponding `names`. Returns what is wrong with the face, or null. Faces with fewer than 3 corners, which occur
+  /// corresponding `names`. Returns the fault of the face, or null. Faces with fewer than 3 corners, which occur
   /// in real files, are counted and skipped.
   ///   where   a word of the face; without a line in a binary file
   const char* Add(std::span<const std::uint32_t> places, std::span<const std::uint32_t> names, const Token& where);

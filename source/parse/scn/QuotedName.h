@@ -10,7 +10,7 @@ namespace ray {
 
 inline constexpr const char* quoting_rules = "a quoted name ends on its line; \\\" is a quote in it, \\\\ a backslash";
 
-/// A name given by a word; `problem` is null or what is wrong with the word.
+/// A name given by a word; `problem` is null or the fault of the word.
 struct NameOfWord {
   std::string name;
   const char* problem = nullptr;

@@ -14,13 +14,13 @@ class Bookmarks {
   /// Reads those in the file; "-", standard input, has no such file.
   explicit Bookmarks(const std::string& scene);
 
-  /// Takes what another window has kept in the file since; what the file lacks stays.
+  /// Adds the cameras that another window has saved in the file since; others stay.
   void ReadAgain();
   std::optional<Camera> Find(int digit) const;
   void Set(int digit, const Camera& camera) { cameras_.insert_or_assign(digit, camera); }
   /// Returns the content for the file.
   std::string Text() const;
-  /// Empty where there is none.
+  /// Empty if there is none.
   const std::string& File() const { return file_; }
 
  private:

@@ -9,7 +9,7 @@ namespace ray {
 namespace {
 
 constexpr std::size_t most_remembered = 100;
-constexpr double zoom_of_a_step = 0.05;  // as a drag over so much of the drawing
+constexpr double zoom_of_a_step = 0.05;  // like a drag over that share of the drawing
 constexpr double faster = 1.25;          // a step of the wheel while flying
 constexpr double factor_of_modifier = 4;
 

@@ -13,7 +13,7 @@ namespace ray {
 /// Moves the camera by pointer, wheel and keys, and remembers where it was.
 class Navigator {
  public:
-  /// The point of the scene under a position of the drawing; nothing where there is only background.
+  /// Returns the point of the scene under a position of the drawing; std::nullopt for the background.
   using PointAt = std::function<std::optional<R3::Point>(const R2::Point& position)>;
 
   Navigator(const Camera& camera, const R3::Box& scene, const DrawingSize& size);
@@ -51,10 +51,10 @@ class Navigator {
   bool IsDragging() const { return drag_.has_value(); }
   void Scroll(const ScrollEvent& event, const PointAt& point_at);
 
-  /// While the right button is held, keys move the camera. Whether this one does.
+  /// Moves the camera by a key while the right button is held. Returns false for keys that do not move it.
   bool IsFlying() const { return drag_ && drag_->button == Button::right; }
   bool HoldKey(const KeyEvent& event);
-  /// Time passes: moves on as long as keys are held.
+  /// Advances time: the camera moves as long as keys are held.
   void Advance(double seconds);
   /// The speed, in radii of the scene per second.
   double FlySpeed() const { return fly_speed_; }

@@ -10,12 +10,12 @@
 
 namespace ray {
 
-// What is shown and chosen, and what is closed again.
+// Showing, choosing and closing.
 
-/// Ends the uppermost of what is open: the help, a scene being read, the flat image, the crop, the pick, the cross
+/// Closes the uppermost open thing: the help, a scene being read, the flat image, the crop, the pick, the cross
 /// section, the rendering.
 void Peel(ViewerState& viewer);
-/// Quits; if that would lose something, only when requested again.
+/// Quits; if unsaved work would be lost, only when requested again.
 void Quit(ViewerState& viewer);
 /// `what`: its name in the message.
 void Toggle(ViewerState& viewer, const char* what, bool SpaceOverlays::*shows);
@@ -28,13 +28,13 @@ void ToggleHelp(ViewerState& viewer);
 void TogglePanels(ViewerState& viewer);
 void ShowPanels(ViewerState& viewer, const PanelSettings& look);
 void SetPanelLook(ViewerState& viewer, const PanelSettings& look);
-/// A node of the scene graph to look at, into World::Nodes; nothing for none.
+/// Chooses a node of the scene graph, an index into World::Nodes; std::nullopt for none.
 void ChooseNode(ViewerState& viewer, std::optional<std::size_t> node);
-/// Describes and chooses what is seen at a position of the image.
+/// Describes and chooses the object seen at a position of the image.
 void PickAt(ViewerState& viewer, const R2::Point& position);
 void FocusUnderPointer(ViewerState& viewer);
 
-// The view: where it is looked from, and kept.
+// The view: the camera and its bookmarks.
 
 /// Prints the camera as a line of a scene, and copies it to the clipboard.
 void PrintCamera(ViewerState& viewer);
@@ -50,14 +50,14 @@ void ToggleTurntable(ViewerState& viewer);
 void GoBack(ViewerState& viewer);
 void GoForward(ViewerState& viewer);
 void GoToSceneCamera(ViewerState& viewer);
-/// The center of the scene for nothing.
+/// Sets the pivot; std::nullopt for the center of the scene.
 void SetPivot(ViewerState& viewer, const std::optional<R3::Point>& pivot);
 void KeepBookmark(ViewerState& viewer, int digit);
 void RecallBookmark(ViewerState& viewer, int digit);
 
-// The scene that is shown: its settings, its edits, and other ones in its place.
+// The current scene: its settings, its edits, and opening others.
 
-/// Shows it from now on; the camera stays.
+/// Replaces the scene; the camera stays.
 void TakeScene(ViewerState& viewer, std::shared_ptr<const LoadedScene> scene);
 /// Empty for the option's default. While the image of key S is being rendered options stay as they are.
 void ChangeOption(ViewerState& viewer, const std::string& name, const std::string& value);
@@ -65,7 +65,7 @@ void ChangeOption(ViewerState& viewer, const std::string& name, const std::strin
 /// `then` with the problem if it could not, else with an empty text.
 void ShowEdits(ViewerState& viewer, std::shared_ptr<const EditedFiles> texts,
                std::function<void(const std::string& problem)> then);
-/// Returns why it could not be written, else nothing.
+/// Returns the reason why it could not be written; empty if it was.
 std::string SaveScene(ViewerState& viewer, const std::string& file, const std::string& text);
 /// Opens a scene; if that would lose edits, a message says so, and it is opened when requested again. An image is the
 /// reference from then on.
@@ -77,41 +77,41 @@ void ToggleSceneList(ViewerState& viewer);
 void ReadFromDisk(ViewerState& viewer);
 /// The files of the scene have changed.
 void TakeChangedFiles(ViewerState& viewer);
-/// `file` was to be read, and has mistakes.
+/// Shows the mistakes of a file.
 void ShowProblems(ViewerState& viewer, const std::string& file, const std::exception& error);
 
 // Rendering of the view: by key S row by row, and live.
 
-/// Renders the view row by row, or continues where that was stopped.
+/// Renders the view row by row, or continues a stopped render.
 void StartTrace(ViewerState& viewer);
-/// The next render takes this rectangle alone, between two positions in the drawing, of the view.
+/// Limits the next render to a rectangle between two positions in the drawing.
 void Crop(ViewerState& viewer, const R2::Point& from, const R2::Point& to);
 void ClearCrop(ViewerState& viewer);
-/// Shows the traced image, in that mode; nothing for the settings' own.
+/// Shows the traced image in a mode; std::nullopt for the mode of the settings.
 void ShowTraced(ViewerState& viewer, std::optional<RenderMode> mode);
 /// Shows the preview alone.
 void ShowPreview(ViewerState& viewer);
 void ToggleTraced(ViewerState& viewer);
-/// Shows the traced image in that mode, or as before where it is shown so.
+/// Shows the traced image in that mode; if it already is, in the mode before.
 void ToggleMode(ViewerState& viewer, RenderMode mode);
-/// Stops or continues the traced image; shows it where it is not shown.
+/// Stops or continues the traced image, and shows it.
 void PauseOrResume(ViewerState& viewer);
 void ToggleDenoising(ViewerState& viewer);
-/// Saves and keeps what has ended since the last call; to be called now and then.
+/// Saves and keeps the images that were completed since the last call; to be called regularly.
 void TakeEndedJobs(ViewerState& viewer);
-/// Begins to find what accelerators cost in the present view, in the background.
+/// Begins to measure the costs of the accelerators for the current view, in the background.
 void CompareAccelerators(ViewerState& viewer);
 void StopComparingAccelerators(ViewerState& viewer);
 
-// Finished images: their exposure, the strip of them, and how they are compared.
+// Finished images: exposure, the strip, and comparison.
 
 /// Sets the exposure, in stops: each doubles the light.
 void SetExposure(ViewerState& viewer, double steps);
-/// Changes it by so many stops; 0 resets it.
+/// Changes it by that many stops; 0 resets it.
 void ChangeExposure(ViewerState& viewer, double steps);
-/// A finished image goes to the strip of them.
+/// Adds a finished image to the strip.
 void KeepImage(ViewerState& viewer, const RenderJob& job);
-/// One of the strip in place of the current image; nothing for the current one. It is the reference as well.
+/// Shows an image of the strip, which also becomes the reference; std::nullopt for the current image.
 void ShowImage(ViewerState& viewer, std::optional<std::size_t> index);
 std::optional<std::size_t> ShownImage(const ViewerState& viewer);
 /// Shows the image `by` places further in the strip.
@@ -131,17 +131,17 @@ void DragFlat(ViewerState& viewer, const R2::Point& from, const R2::Point& to, b
 bool TakesSlider(const ViewerState& viewer, const ButtonEvent& event);
 void ZoomFlat(ViewerState& viewer, const ScrollEvent& event);
 
-// The rays that are traced to be looked at.
+// Rays made visible.
 
 /// Shows or hides the rays of every 25th pixel, of the rendered image if there is one.
 void ToggleGrid(ViewerState& viewer);
-/// Shows the rays of the pixel at a position of the drawing: of the rendered image if that is seen there, else of the
-/// view.
+/// Shows the rays of the pixel at a position of the drawing: of the rendered image if it is visible there, otherwise
+/// of the view.
 void DebugPixelAt(ViewerState& viewer, const R2::Point& position);
 /// Shows rays of another tracer with ours, of the pixel that they start from, and names the first that differs.
-///   file   that they are from
+///   file   their source
 void ShowForeignRays(ViewerState& viewer, const std::string& file, ForeignRays foreign);
-/// Goes to the pixel next to it, or moves the cross section, whichever was used last.
+/// Goes to a neighboring pixel, or moves the cross section, whichever was used last.
 void MoveByArrow(ViewerState& viewer, int right, int up);
 void ForgetPixel(ViewerState& viewer);
 void SaveRays(ViewerState& viewer);
@@ -167,7 +167,7 @@ void FollowByCut(ViewerState& viewer);
 int LineWidth(const ViewerState& viewer);
 /// Makes its drawing again where that is due; it is shown.
 void MakeSection(ViewerState& viewer);
-/// Describes what is under the pointer; empty if the pointer is not on the cross section.
+/// Describes the object under the pointer; empty if the pointer is not on the cross section.
 std::string TextOfSection(const ViewerState& viewer);
 
 }  // namespace ray

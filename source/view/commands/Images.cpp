@@ -24,7 +24,7 @@ void KeepImage(ViewerState& viewer, const RenderJob& job) {
   const RenderResult& result = *job.Result();
   const bool has_claim = job.Settings().budget.IsOpen();
   std::string command = viewer.host.CommandFor(job.Settings());
-  // The command says no camera, and a shell takes what is behind # for a comment.
+  // The command has no option for a camera; to a shell, text after # is a comment.
   if (!command.empty() && job.Settings().view) command += "  # " + CameraLine(*job.Settings().view);
   viewer.images.Add({std::make_shared<const R2::Image>(result.image), viewer.settings.scene, std::move(command),
                      has_claim ? ClaimOf(result) : "", job.Seconds(), result.samples.mean});

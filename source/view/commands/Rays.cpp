@@ -17,7 +17,7 @@ RenderSettings SettingsOfGrid(const ViewerState& viewer) {
   return viewer.traced.Trace() ? viewer.traced.Trace()->Settings() : viewer.SettingsOfImage();
 }
 
-/// The pixel of the rendered image that is seen there on its quad.
+/// Returns the pixel of the rendered image at that place of its quad.
 std::optional<TracedQuad::Meeting> PixelOnQuad(const ViewerState& viewer, const R2::Point& position) {
   const auto quad = viewer.Quad();
   if (!quad) return {};
@@ -30,7 +30,7 @@ std::optional<TracedQuad::Meeting> PixelOnQuad(const ViewerState& viewer, const 
   return meeting;
 }
 
-/// The plane of the cross section is another.
+/// Shows the cross section again after its plane has changed.
 void ShowPlane(ViewerState& viewer) {
   viewer.section_pane.takes_arrows = true;
   viewer.section_pane.drawing.reset();

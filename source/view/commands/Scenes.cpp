@@ -22,7 +22,7 @@ void MakeFaces(ViewerState& viewer) {
   viewer.scene.MakeFaces(viewer.settings.render);
 }
 
-/// Takes the settings that a scene brings; throws if they are impossible.
+/// Applies the settings of a scene; throws if they are impossible.
 void TakeSettings(ViewerState& viewer, const Scene& scene) {
   const auto settings = viewer.host.SettingsWith(scene);
   if (!settings) return;

@@ -14,13 +14,13 @@ namespace ray {
 struct KeptImage {
   std::shared_ptr<const R2::Image> image;
   std::string scene;    // its file
-  std::string command;  // that makes it; empty where there is none
-  std::string claim;    // about its error; empty where none was made
+  std::string command;  // that makes it; empty if there is none
+  std::string claim;    // about its error; may be empty
   double seconds = 0;   // that it took
   double samples = 0;   // per pixel, the mean
 };
 
-/// The images made so far, the last at the end; of more than there is room for, the oldest go.
+/// The finished images, the last at the end; beyond a limit, the oldest are dropped.
 class ImageStrip {
  public:
   static constexpr std::size_t most = 16;
@@ -33,7 +33,7 @@ class ImageStrip {
   const std::vector<KeptImage>& All() const { return images_; }
   /// Returns the number of images ever added, which differs after each change.
   std::size_t Number() const { return added_; }
-  /// The number of an image, from 1, that it keeps while older ones go.
+  /// The number of an image, from 1, which does not change when older ones are dropped.
   std::size_t NumberOf(std::size_t index) const { return added_ - images_.size() + index + 1; }
 
  private:

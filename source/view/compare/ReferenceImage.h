@@ -14,15 +14,15 @@ struct ByteEncoding {
   friend bool operator==(const ByteEncoding&, const ByteEncoding&) = default;
 };
 
-/// An image that others are compared with: linear light, or what a file of whole numbers holds of it, which can be
-/// compared only with what such a file would hold of the other.
+/// An image that others are compared with: linear light, or values quantized as in a file of whole numbers, which are
+/// compared with equally quantized values.
 struct ReferenceImage {
   std::shared_ptr<const R2::Image> image;  // as the file has it, 0 to 1 for whole numbers; null for none
   int levels = 0;                          // the largest whole number of a channel, 255 or 65535; 0: the image is light
 
   explicit operator bool() const { return image != nullptr; }
   bool IsLight() const { return levels == 0; }
-  /// The image as linear light, which is the image itself where it holds light already.
+  /// Returns the image as linear light: the image itself if it is light.
   std::shared_ptr<const R2::Image> AsLight(const ByteEncoding& encoding) const;
   /// Returns `light` as such a file would hold it: clamped, encoded and quantized; unchanged if the reference is light.
   R2::Image Comparable(const R2::Image& light, const ByteEncoding& encoding) const;

@@ -10,7 +10,7 @@
 
 namespace ray {
 
-/// One replacement in a file: at the offset `at` stands `before`, and `after` takes its place. The file is named by its
+/// One replacement in a file: of the text `before` at the offset `at` by `after`. The file is named by its
 /// canonical path, as in EditedFiles.
 struct TextEdit {
   std::string file;
@@ -18,31 +18,31 @@ struct TextEdit {
   std::string before, after;
 };
 
-/// Edits that are done, undone and redone together, each made for the text that the ones before it leave.
+/// Edits that are made, undone and redone together; each applies to the result of those before it.
 using TextEdits = std::vector<TextEdit>;
 
-/// The files with the edits done. Every edited file must be among `files`. Throws std::logic_error where a text does
-/// not have what an edit replaces.
+/// Returns the files after the edits. Every edited file must be in `files`. Throws std::logic_error if a file does not
+/// contain the text that an edit replaces.
 EditedFiles Edited(EditedFiles files, std::span<const TextEdit> edits);
 
-/// The edits that take these back.
+/// Returns the edits that undo these.
 TextEdits Reversed(std::span<const TextEdit> edits);
 
-/// Returns the offset after the edits of what was at `offset` of a file. An insertion right there is not in front of
-/// it: the offset is then that of what was inserted.
+/// Returns the offset after the edits of the text at `offset` of a file. Text inserted at that very offset counts as
+/// part of it: the offset is then that of the insertion.
 std::size_t OffsetAfter(std::span<const TextEdit> edits, const std::string& file, std::size_t offset);
 
-/// The place of something that can be chosen: the offset of its statement in a file, named by its canonical path.
+/// The place of an object that can be chosen: the offset of its statement in a file, named by its canonical path.
 struct EditPlace {
   std::string file;
   std::size_t begin = 0;
   friend bool operator==(const EditPlace&, const EditPlace&) = default;
 };
 
-/// One step of undo: what it is called, its edits, and what was chosen before and after them.
+/// One step of undo: its name, its edits, and the selection before and after them.
 struct Change {
   std::string what;  // "move sphere, line 16"
-  std::string key;   // changes of one gesture, as of a slider that is dragged, have the same key and become one
+  std::string key;   // changes of one gesture, such as a drag of a slider, have the same key and become one
   TextEdits edits;
   std::optional<EditPlace> chosen_before{}, chosen_after{};
 };
@@ -50,12 +50,12 @@ struct Change {
 /// The changes that can be undone and redone.
 class EditHistory {
  public:
-  /// Changes that were undone are forgotten. One that continues the last one becomes a part of it.
+  /// Adds a change and forgets those that were undone. A change that continues the last one becomes a part of it.
   void Do(Change change, bool continues);
-  /// The change to take back or to do again; null where there is none.
+  /// The change to undo or redo; null if there is none.
   const Change* ToUndo() const { return done_ > 0 ? &changes_[done_ - 1] : nullptr; }
   const Change* ToRedo() const { return done_ < changes_.size() ? &changes_[done_] : nullptr; }
-  /// Moves on to the change before, or behind, which must be there.
+  /// Moves to the previous or next change, which must exist.
   void Undo();
   void Redo();
   void Forget();

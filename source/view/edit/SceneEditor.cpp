@@ -17,14 +17,14 @@
 namespace ray {
 namespace {
 
-constexpr double slow = 0.15;  // seconds of reading a scene: what is dragged is then moved once it is let go
+constexpr double slow = 0.15;  // seconds of reading a scene from which on an object moves only when its drag ends
 constexpr Rgba axis_color{255, 200, 60, 255};
 
 std::string Count(std::size_t count, const char* one, const char* more) {
   return std::to_string(count) + " " + (count == 1 ? one : more);
 }
 
-/// The node that has a location; nothing where none has.
+/// Returns the node that has a location; std::nullopt if none has.
 std::optional<std::size_t> NodeAt(const World& world, const Location& location) {
   const auto& nodes = world.Nodes();
   const auto found = std::ranges::find_if(nodes, [&](const FlatNode& flat) {
@@ -525,7 +525,7 @@ Lines SceneEditor::Marks(const DrawingSpace& space, const std::function<double(c
   const auto target = TargetOf();
   if (!target || target->box.IsEmpty()) return lines;
   const R3::Point at = target->box.Center();
-  constexpr double times_of_cross = 6, times_of_box = 1.3;  // so that it leads out of what it is in
+  constexpr double times_of_cross = 6, times_of_box = 1.3;  // so that it extends beyond the object
   const double size = std::max(times_of_cross * size_at(at), times_of_box * target->box.Radius());
   const auto arrows = [&](const R3::Vector& way) {
     Append(lines, ArrowAt(at, size * way, space, axis_color));

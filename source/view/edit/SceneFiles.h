@@ -6,7 +6,7 @@
 
 namespace ray {
 
-/// The bytes of a file; nothing where it cannot be read.
+/// Returns the bytes of a file; std::nullopt if it cannot be read.
 std::optional<std::string> ReadSceneFile(const std::string& file);
 
 /// Returns the first free name in the folder of the file: "room-2.scn" for "room.scn", or "room-3.scn".
@@ -16,7 +16,7 @@ std::string FreeCopyName(const std::string& file);
 /// one. At most 1000 of them.
 std::vector<std::string> ScenesBeside(const std::string& file);
 
-/// The one so many behind `file` among these, or before it; around the ends. Empty where there is no other.
+/// Returns the file that many places behind `file`, or before it, in a cycle. Empty if there is no other.
 std::string NeighborOf(const std::string& file, const std::vector<std::string>& scenes, int by);
 
 }  // namespace ray

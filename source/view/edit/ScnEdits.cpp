@@ -29,7 +29,7 @@ const ScnPlaces::File& FileOf(const ScnPlaces& places, std::uint32_t statement) 
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
 
-/// The file's own: of its first line, or LF where it has but one.
+/// Returns the line end of the file: of its first line, or LF if it has only one line.
 std::string EndOfLine(std::string_view text) {
   const std::size_t end = text.find_first_of("\r\n");
   if (end == std::string_view::npos || text[end] == '\n') return "\n";
@@ -77,7 +77,7 @@ Range RangeOf(const ScnPlaces& places, std::uint32_t statement) {
   throw EditRefusal("its end is not in the file");
 }
 
-/// A range widened to whole lines, their ends included, where they hold nothing else but comments; `is_whole` says so.
+/// A range, widened to whole lines with their ends if these contain nothing else but comments; `is_whole` is then true.
 struct WholeLines {
   Range range;
   bool is_whole = false;
@@ -89,7 +89,7 @@ WholeLines LinesOf(std::string_view text, const Range& range) {
   return {{start, BehindLine(text, range.end)}, true};
 }
 
-/// The edit of each word that says another number, the last word first, so that offsets stay right.
+/// Returns an edit for each number that changes, the last one first, so that offsets stay valid.
 TextEdits WithNumbers(const ScnPlaces& places, std::uint32_t statement, const std::vector<std::size_t>& at,
                       const std::vector<double>& values) {
   const std::vector<ScnWord> words = WordsOf(places, statement);
@@ -131,7 +131,7 @@ void RefuseOthers(const ScnPlaces& places, std::uint32_t statement, const char* 
 
 constexpr std::size_t word_of_texture = 18;  // of a material's statement, the last
 
-/// The number that the material's file knows it by.
+/// Returns the number of the material in its file.
 std::size_t IdOf(const ScnPlaces& places, std::size_t material) {
   const ScnPlaces::Statement& own = places.statements[places.materials[material]];
   std::set<std::uint32_t> before;  // where those before it begin; of a file that is included twice all come again
@@ -150,8 +150,8 @@ std::vector<double> NumbersOf(const Camera& c) {
   return {c.eye.x, c.eye.y, c.eye.z, c.towards.x, c.towards.y, c.towards.z, c.up.x, c.up.y, c.up.z, c.xfov};
 }
 
-/// The numbers behind look_at for this camera, as far away from the point looked at as before; nothing where no such
-/// words say the camera to the bit.
+/// Returns the numbers after look_at for this camera, at the same distance from the target as before; std::nullopt if
+/// no such numbers give exactly this camera.
 std::optional<std::vector<double>> LookAtNumbersOf(const Camera& camera, const std::vector<ScnWord>& words) {
   constexpr std::size_t eye = 2, target = 5, count = 12;
   if (words.size() < count) return {};
@@ -175,7 +175,7 @@ std::string TwelveNumbers(const Camera& camera) {
   return CameraLine(plain);
 }
 
-/// A line of its own behind the one where the statement ends, or at the end of the top file.
+/// Inserts a line after the last one of the statement, or at the end of the top file.
 TextEdits WithLine(const ScnPlaces& places, std::optional<std::uint32_t> behind, const std::string& line) {
   const ScnPlaces::File& file = places.files[top_file];
   const std::string& text = file.text->bytes;

@@ -21,7 +21,7 @@ struct EditRefusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Gives a field other values, as many as it has; a number that stays keeps its spelling. Throws EditRefusal.
+/// Sets the values of a field, as many as it has; unchanged numbers keep their spelling. Throws EditRefusal.
 TextEdits WithValues(const ScnPlaces& places, std::uint32_t statement, const ScnField& field,
                      const std::vector<double>& values);
 
@@ -29,8 +29,8 @@ TextEdits WithValues(const ScnPlaces& places, std::uint32_t statement, const Scn
 /// gets a group around it that moves it. Sums are rounded to 12 digits. Throws EditRefusal.
 TextEdits Moved(const ScnPlaces& places, std::uint32_t statement, const R3::Vector& way);
 
-/// Takes out a shape, light or mesh, or a group with all that is in it: with its lines and the comment at their end
-/// where nothing else is on them. Throws EditRefusal for what others refer to, such as a material.
+/// Removes a shape, light or mesh, or a group with its contents: whole lines, with the comment at their end, where
+/// nothing else is on them. Throws EditRefusal for a statement that others refer to, such as a material.
 TextEdits Removed(const ScnPlaces& places, std::uint32_t statement);
 
 /// A copy behind the statement, or behind the group that it opens, moved by `way`; and the offset of the copy.
@@ -40,28 +40,28 @@ struct Copied {
 };
 Copied Duplicated(const ScnPlaces& places, std::uint32_t statement, const R3::Vector& way);
 
-/// Makes the scene's camera stand and look as this one, to the bit; a scene without a camera gets one. A camera of the
-/// words look_at keeps them where they say as much. Projection and shift are not edited. Throws EditRefusal.
+/// Sets the position and direction of the scene's camera, bit for bit; a scene without a camera gets one. A look_at
+/// camera remains one if it can express them. Projection and shift are not edited. Throws EditRefusal.
 TextEdits WithCamera(const ScnPlaces& places, const Camera& camera);
 
 /// Adds settings to the scene, such as "set aperture 0.1": options and their values. Throws EditRefusal.
 TextEdits WithSettings(const ScnPlaces& places, const std::vector<std::pair<std::string, std::string>>& settings);
 
-// Materials are said by an index into Scene::materials, one that a statement has made.
+// Materials are indices into Scene::materials, of those that a statement has made.
 
-/// The statement that says more of the material by this command, "mirror" or "gloss", last; nothing where none does.
+/// Returns the last statement of this command, "mirror" or "gloss", for the material; std::nullopt if there is none.
 std::optional<std::uint32_t> AboutMaterial(const ScnPlaces& places, std::size_t material, const std::string& command);
-/// Says more of the material in a line behind it. `numbers`: what the command takes behind the material's number.
+/// Adds a line with the command after the material. `numbers`: its arguments after the material's number.
 TextEdits WithAboutMaterial(const ScnPlaces& places, std::size_t material, const std::string& command,
                             const std::string& numbers);
-/// The name of the image that the material's statement gives it, as the scene says it; empty for none.
+/// Returns the name of the material's image, as written in the scene; empty for none.
 std::string TextureOf(const ScnPlaces& places, std::size_t material);
 TextEdits WithTexture(const ScnPlaces& places, std::size_t material, const std::string& name);
 
-/// The statement that `command` begins last in the top file; nothing where there is none.
+/// The last statement of `command` in the top file; empty if there is none.
 std::optional<std::uint32_t> LastOf(const ScnPlaces& places, const std::string& command);
 
-/// A decimal near `value`: with 12 digits that count.
+/// Returns a decimal number near `value`, with 12 significant digits.
 double Decimal(double value);
 
 }  // namespace ray

@@ -8,7 +8,7 @@
 
 namespace ray {
 
-/// Numbers of a statement that are edited together, as the three of a color are.
+/// Numbers of a statement that are edited together, such as the three of a color.
 struct ScnField {
   enum class Kind { color, point, direction, number };
 
@@ -20,11 +20,12 @@ struct ScnField {
 };
 
 /// The fields of a material, its mirror and gloss, light, shape, line, group, camera, background or ambient light, in
-/// the order of the file; none of other statements. Those of a group are its position, where its matrix or a first
-/// translation says it.
+/// the order of the file; none of other statements. A group has its position, if its matrix or a first translation
+/// gives it.
 std::vector<ScnField> FieldsOf(const ScnPlaces& places, std::uint32_t statement);
 
-/// Returns why a word is not edited that stands for a value given elsewhere: "$t is a variable; ...". Empty for others.
+/// Returns the reason why a word is not edited, if it stands for a value defined elsewhere: "$t is a variable; ...".
+/// Empty for other words.
 std::string WhyComputed(const std::string& word);
 
 /// The name of the statement's command.
@@ -33,8 +34,8 @@ std::string CommandOf(const ScnPlaces& places, std::uint32_t statement);
 /// "sphere, line 16"
 std::string NameOf(const ScnPlaces& places, std::uint32_t statement);
 
-/// The comment behind the statement on the line where it ends, without the # and blanks around; empty where there is
-/// none. Scenes name their materials so.
+/// The comment after the statement on its last line, without # and surrounding blanks; empty if there is none. Scenes
+/// name their materials in such comments.
 std::string CommentOf(const ScnPlaces& places, std::uint32_t statement);
 
 }  // namespace ray

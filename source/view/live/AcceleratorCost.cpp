@@ -33,7 +33,7 @@ RenderSettings Small(RenderSettings settings, const World& world) {
   return settings;
 }
 
-/// Nothing where it was stopped.
+/// Returns std::nullopt if it was stopped.
 std::optional<AcceleratorCost> CostOf(const AcceleratorKind& kind, const World& world, const AcceleratorSettings& how,
                                       const RenderSettings& small, const std::atomic<bool>& stop) {
   AcceleratorCost cost{.name = kind.name};

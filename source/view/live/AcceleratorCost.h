@@ -33,14 +33,14 @@ class AcceleratorComparison {
   ~AcceleratorComparison();
   AcceleratorComparison(const AcceleratorComparison&) = delete;
 
-  /// Lets no further kind begin, and returns at once.
+  /// Prevents that further kinds begin, and returns at once.
   void Stop() { stop_.store(true); }
   bool HasEnded() const { return has_ended_.load(std::memory_order_acquire); }
   /// The costs found so far.
   std::vector<AcceleratorCost> Costs() const;
   /// The kind being measured; empty at the end.
   std::string Current() const;
-  /// Grows whenever the functions above would return something new.
+  /// Grows whenever results of the functions above change.
   int Version() const { return version_.load(std::memory_order_acquire); }
 
  private:
@@ -58,7 +58,7 @@ class AcceleratorComparison {
   std::thread thread_;  // the last, so that the other members exist when it starts
 };
 
-/// The comparison of accelerators that was begun last, and those of scenes from before that have yet to end.
+/// The last comparison of accelerators, and earlier ones of other scenes that have not ended.
 class AcceleratorComparisons {
  public:
   void Begin(std::shared_ptr<const LoadedScene> scene, const AcceleratorSettings& how, const RenderSettings& settings) {

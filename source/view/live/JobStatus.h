@@ -21,8 +21,8 @@ class RenderStatus {
   void Update(const TracedImages& traced, double now);
   /// "4 of 16 samples 31 % 0.5 Mrays/s 12 s left"; empty without any image.
   const std::string& Text() const { return text_; }
-  /// Returns "30% of the light ended at -max_depth 3, -min_luminance 0.01" for a complete image that is too dark by so
-  /// much; empty for others.
+  /// Returns "30% of the light ended at -max_depth 3, -min_luminance 0.01" for a complete image that is too dark by
+  /// that much; empty for others.
   const std::string& MissingLight() const { return missing_light_; }
 
  private:

@@ -45,7 +45,7 @@ bool HasFinalBlocks(const RenderSettings& settings) {
   return !SamplesWhereNeighborsDiffer(settings) && !IsSubsampled(settings) && !settings.denoise;
 }
 
-/// Returns true if each point samples so many lights that a first look with one of them is much faster.
+/// Returns true if points sample many lights, so that a first look with one of them is much faster.
 bool SamplesManyLights(const World& world, const RenderSettings& settings) {
   // For nine, a look at a quarter of the pixels takes a twentieth of the rays of all first samples.
   constexpr std::size_t few = 8;
@@ -252,7 +252,7 @@ RenderSettings RenderJob::DecidedSettings() const {
 
 RenderResult RenderJob::RenderAll(const Integrator& integrator, const RenderSettings& settings,
                                   const RenderMonitor& monitor) const {
-  // Filters of noise are guided by what the accelerator finds, and flares are of lights that it sees.
+  // Denoising needs guides from the accelerator, and flares need to know which lights are visible.
   if (settings.denoise || settings.flare > 0) return Render(scene_->world, *scene_->accelerator, settings, monitor);
   return Render(scene_->world, integrator, settings, monitor);
 }

@@ -18,14 +18,14 @@ namespace ray {
 class FirstLook;
 
 /// An image rendered in the background of the thread that shows it. Each job owns its frame, so that an abandoned job
-/// may end when it likes: nobody looks at what it still writes.
+/// may end at any time: its later pixels are not shown.
 class RenderJob {
  public:
   /// coarse_first   first looks at the image, each at four times as many pixels as the one before, see FirstLook, where
   ///                there are many lights with one of them per point; then more samples, twice as many pass by pass,
   ///                until the budget or the count of samples is reached
-  /// rows           in rows of blocks of the film from the bottom, each with all its samples; all at once where
-  ///                neighboring pixels decide who gets samples, or what a pixel shows
+  /// rows           in rows of blocks of the film from the bottom, each with all its samples; all at once if
+  ///                pixels depend on their neighbors
   enum class Order { coarse_first, rows };
 
   /// The state of a canceled job, from which another can continue.
@@ -38,11 +38,10 @@ class RenderJob {
   };
 
   /// Starts at once. `settings.view` is the camera if it is not the scene's. Without `settings.threads` one core is
-  /// left to whoever shows the image, until each pixel has its first sample in order coarse_first. Time counts from
-  /// the start of the job, and ends no earlier than with that sample. Limits of budgets are ignored in order rows, and
-  /// replays. `first_places`: pixels of each block in the first look.
-  /// `before`: continues a job of the same scene, settings and order; time counts on. The result is that of a job that
-  /// was never canceled.
+  /// left to the calling thread until each pixel has its first sample, in order coarse_first. Time counts from the
+  /// start of the job, and ends no earlier than with that sample. In order rows, limits of budgets and replays are
+  /// ignored. `first_places`: pixels of each block in the first look. `before`: continues a job of the same scene,
+  /// settings and order; time counts on. The result is that of a job that was never canceled.
   RenderJob(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, Order order, int first_places = 1,
             std::optional<Stopped> before = {});
   /// Cancels, and waits for the pixels that were started.
@@ -51,7 +50,7 @@ class RenderJob {
 
   /// Stops it: no further pixel is started. Returns at once.
   void Cancel() { stop_.store(true); }
-  /// Returns true if nothing will change any more: it is complete, canceled or failed.
+  /// Returns true if the job is complete, canceled or failed.
   bool HasEnded() const { return has_ended_.load(std::memory_order_acquire); }
   /// Returns true if HasEnded with every sample taken.
   bool IsComplete() const;
@@ -66,11 +65,11 @@ class RenderJob {
   Order order() const { return order_; }
   const LoadedScene& scene() const { return *scene_; }
   const std::shared_ptr<const LoadedScene>& SharedScene() const { return scene_; }
-  /// Rows from the bottom that will not change any more (order rows).
+  /// The number of complete rows, from the bottom (order rows).
   int RowsDone() const { return rows_done_.load(std::memory_order_acquire); }
   /// The pixels of each block that have their first sample; 0 before the first look is whole.
   int Places() const { return places_.load(std::memory_order_acquire); }
-  /// Samples per pixel that the frame shows, where it is whole; their mean once it is complete, the most before.
+  /// Samples per pixel of the frame: their mean once it is complete, their maximum before.
   int Samples() const { return samples_.load(std::memory_order_acquire); }
   /// Returns its state when it was canceled; none if that was no sample of a pixel beyond the first look, or it did not
   /// end so.
@@ -83,7 +82,7 @@ class RenderJob {
   double Seconds() const;
   /// Returns the share of all samples, or of the time, that is done, from 0 to 1; std::nullopt if no end is known.
   std::optional<double> Share() const;
-  /// Until the end, at the pace so far; nothing where that is not known.
+  /// Returns the seconds until the end at the current pace; std::nullopt if they are not known.
   std::optional<double> SecondsLeft() const;
   /// First samples traced per second, up to the last look that is whole; 0 before the first. For PlacesWithin.
   double PixelsPerSecond() const { return pixels_per_second_.load(std::memory_order_relaxed); }
@@ -128,16 +127,16 @@ class JobQueue {
   /// Abandons the current job, if there is one, for a new one, which may continue it.
   RenderJob& Start(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, RenderJob::Order order,
                    int first_places = 1, std::optional<RenderJob::Stopped> before = {});
-  /// Cancels the current job; then there is none.
+  /// Cancels the current job.
   void Abandon();
-  /// The job before the current one, where it was abandoned with something to be seen; null where there is none. It
+  /// The job before the current one, if it was abandoned with something to show; null otherwise. It
   /// lives until the next is abandoned.
   const RenderJob* Last() const { return last_.get(); }
   void ForgetLast();
   /// The job started last; null before the first, or when it was abandoned.
   RenderJob* Current() { return current_.get(); }
   const RenderJob* Current() const { return current_.get(); }
-  /// Destroys the abandoned jobs that have ended; to be called now and then. Returns how many are left.
+  /// Destroys abandoned jobs that have ended; to be called regularly. Returns the number of those left.
   int Collect();
 
  private:

@@ -11,7 +11,7 @@
 
 namespace ray {
 
-/// The images a viewer renders: the one of key S, row by row; and the live one, which starts over with every move.
+/// The images that a viewer renders: that of key S, row by row; and the live image, which starts over with every move.
 /// Either may be compared with a reference.
 class TracedImages {
  public:
@@ -26,7 +26,7 @@ class TracedImages {
   void StartTrace(std::shared_ptr<const LoadedScene> scene, const RenderSettings& settings, bool continues = false);
   /// Returns true if the image was stopped with samples.
   bool CanContinue() const { return Trace() && Trace()->Canceled(); }
-  /// Stops it, and returns true if one was running. What it has so far stays.
+  /// Stops it, and returns true if it was being rendered. Its pixels stay.
   bool StopTrace();
   const RenderJob* Trace() const { return trace_.Current(); }
   bool IsTracing() const { return Trace() && !Trace()->HasEnded(); }
@@ -36,26 +36,25 @@ class TracedImages {
   const RenderJob* TakeEnded();
   void ForgetTrace() { trace_.Abandon(); }
 
-  // The live image: what the view shows while it rests, and while it moves where tracing is fast enough for that.
-  /// `mode`: what to show instead of the settings' own; nothing for that.
+  // The live image: shown while the view rests and, if tracing is fast enough, while it moves.
+  /// `mode`: in place of the settings' mode; std::nullopt for the latter.
   void ShowLive(std::optional<RenderMode> mode);
   void HideLive();
   /// Until the view or the scene changes, the image of key S is shown instead.
   void Suspend();
   bool IsLive() const { return is_live_; }
   std::optional<RenderMode> LiveMode() const { return mode_; }
-  /// Something has changed that the live image shows: it starts over with the next Update.
+  /// Makes the live image start over with the next Update.
   void Touch();
   /// The view has moved.
   void TouchView();
-  /// Returns the live image to be shown: it, or while it has nothing yet, that of a moment ago; null where
-  /// the preview is to be seen.
+  /// Returns the live image to show, or the one before it while it has no pixels yet; null to show the preview.
   const RenderJob* ShownLive() const;
   std::uint64_t ShownLiveNumber() const { return ShownLive() == Live() ? live_number_ : last_number_; }
-  /// The opacity of ShownLive over the preview, in [0, 1]: it comes within a moment.
+  /// The opacity of ShownLive over the preview, in [0, 1]: it fades in.
   double Opacity() const;
   /// Starts the live image if it is due: at once where tracing is fast, else once the view rests. `budget_of_rest`:
-  /// the settings have no budget of their own, so that samples_at_rest are taken where what is shown gains by them.
+  /// the settings have no budget of their own, so that samples_at_rest are taken where they improve the image.
   void Update(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings,
               bool budget_of_rest = false);
   static constexpr int samples_at_rest = 64;
@@ -64,19 +63,19 @@ class TracedImages {
   /// Continues it where it was stopped.
   void ResumeLive();
 
-  // Distances of what the live image shows, so that lines in space are hidden behind it.
-  /// Starts them for the image that is shown, unless there are some; a moving view goes without.
+  // Depths of the live image, so that lines in space are hidden behind its surfaces.
+  /// Starts to compute them for the image shown, unless they exist or the view moves.
   void TraceDepths();
   /// Their job once it is complete; null before, and for another view.
   const RenderJob* Depths() const;
   std::uint64_t DepthsNumber() const { return depths_number_; }
 
-  /// Stops it, and returns true if it was still growing. What it has so far stays until it starts over.
+  /// Stops it, and returns true if it was being rendered. Its pixels stay until it starts over.
   bool StopLive();
   /// The live image, once, when it has ended by itself since the last call.
   const RenderJob* TakeEndedLive();
   const RenderJob* Live() const { return live_.Current(); }
-  /// The live image, or that of key S where it is not shown; null where there is none. With its number.
+  /// The live image if it is shown, else that of key S; null if there is none. With its number.
   const RenderJob* Job() const { return is_live_ && Live() ? Live() : Trace(); }
   std::uint64_t JobNumber() const { return Job() == Trace() ? trace_number_ : live_number_; }
   bool IsBusy() const;
@@ -97,7 +96,7 @@ class TracedImages {
   std::string Comparison() const;
   /// The image shown instead of the current image while comparing; null when none is.
   std::shared_ptr<const R2::Image> Compared() const;
-  /// Returns the scale of false colors, or that the image equals the reference; empty if neither is to be said.
+  /// Returns the scale of false colors, or a text that the image equals the reference; empty otherwise.
   std::string ScaleOfComparison() const;
   /// Returns true if Compared has colors that stand for numbers.
   bool ShowsFalseColors() const { return comparing_ == Comparing::false_colors || comparing_ == Comparing::flip; }
@@ -106,13 +105,13 @@ class TracedImages {
 
  private:
   std::string EncodedComparison(const R2::Image& current) const;
-  /// False colors of the images as they are now. Made once for all that looks at them.
+  /// Returns false colors of the current images, computed once per change.
   struct FalseColors {
     std::uint64_t number = 0;  // of the job, and how far it was
     int samples = -1, rows = -1, places = -1;
     bool has_ended = false;
     Comparing how = Comparing::no;
-    std::shared_ptr<const R2::Image> reference, image;  // the latter null where both cannot be compared
+    std::shared_ptr<const R2::Image> reference, image;  // the latter null if they cannot be compared
     double largest = 0, mean = 0;
   };
   const FalseColors& InFalseColors() const;
@@ -121,7 +120,7 @@ class TracedImages {
 
   /// Returns true if the view moved a moment ago.
   bool Moves() const;
-  /// Returns true if a moving view is traced: enough of its pixels within the time that eyes take for motion.
+  /// Returns true if a moving view is traced, since enough of its pixels fit into one frame of smooth motion.
   bool TracesInMotion(const RenderSettings& settings) const;
   void StartLive(const std::shared_ptr<const LoadedScene>& scene, const RenderSettings& settings, int first_places,
                  std::optional<RenderJob::Stopped> before = {});

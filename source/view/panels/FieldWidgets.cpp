@@ -25,7 +25,7 @@ std::string TextOf(const std::vector<double>& values) {
   return text;
 }
 
-/// Nothing where these are not so many numbers.
+/// Returns std::nullopt unless the text is that many numbers.
 std::optional<std::vector<double>> NumbersIn(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
   for (const std::string& word : SplitWords(text)) {
@@ -37,7 +37,7 @@ std::optional<std::vector<double>> NumbersIn(const std::string& text, std::size_
   return numbers;
 }
 
-/// A field for so many numbers; what was entered, once it is right.
+/// A field for several numbers; returns the entered numbers once they are valid.
 std::optional<std::vector<double>> DrawText(PanelFrame& frame, const std::string& name,
                                             const std::vector<double>& values) {
   std::array<char, longest_field> text{};

@@ -17,10 +17,10 @@ class FieldWidgets {
     double least = 0, most = 1;
   };
 
-  /// All fields of the statement; what is changed is asked of the viewer's editor.
+  /// All fields of the statement; changes are requests to the viewer's editor.
   void Draw(PanelFrame& frame, std::uint32_t statement);
 
-  /// One number by itself; `set` gets what it is to be, and whether that extends what the slider did before.
+  /// One number; `set` gets the new value, and whether it continues the change of the same slider.
   static void DrawNumber(PanelFrame& frame, const std::string& name, double value, const Range& range,
                          const std::function<void(double, bool)>& set);
 
@@ -31,7 +31,7 @@ class FieldWidgets {
   std::string picked_;  // the field whose picker is open; empty for none
 };
 
-/// A swatch; whether it was clicked.
+/// A swatch; returns true if it was clicked.
 bool DrawSwatch(PanelFrame& frame, const std::string& name, const std::vector<double>& color);
 
 }  // namespace ray

@@ -16,7 +16,7 @@ constexpr std::size_t keys_wide = 20;  // letters of the column of keys; longer 
 constexpr int column_wide = 62;        // letters at least, of keys and what they do
 constexpr int most_columns = 3;
 
-/// Returns the number of lines of a row if so many letters fit.
+/// Returns the number of lines of a row of text when a line holds that many letters.
 std::size_t LinesOf(const HelpRow& row, int letters) {
   const std::size_t of_text = InLines(row.text, letters - static_cast<int>(keys_wide)).size();
   return row.keys.size() < keys_wide ? of_text : of_text + 1;

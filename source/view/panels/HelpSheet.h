@@ -12,13 +12,13 @@ namespace ray {
 /// The actions of mouse and keys, which can be searched: a sheet in the middle of the view.
 class HelpSheet {
  public:
-  /// Begins a new search: from now on what is typed is searched for.
+  /// Begins a new search: typed text becomes the search text.
   void Open() { search_ = {}, takes_focus_ = true; }
   /// Draws it in the current window of Dear ImGui.
   void Draw(PanelFrame& frame);
 
  private:
-  /// Rows below a heading, those alone that have what is searched for.
+  /// The rows below a heading that contain the search text.
   struct Group {
     const char* heading;
     std::vector<const HelpRow*> rows;

@@ -19,8 +19,8 @@ constexpr std::array letter_files{"/usr/share/fonts/truetype/dejavu/DejaVuSansMo
 /// A gray, or nearly: of equal red and green.
 ImVec4 Gray(float level, float blue) { return {level, level, blue, 1}; }
 
-/// Dear ImGui's own, except those that are too faint: letters keep 4.5 : 1 to what is behind them, and the
-/// frames of what can be clicked 3 : 1.
+/// Dear ImGui's own, except those that are too faint: letters keep 4.5 : 1 to their background, and the
+/// frames of clickable items 3 : 1.
 ///   source   W3C, Web Content Accessibility Guidelines 2.1, 1.4.3 and 1.4.11
 void MakeReadable(PanelTheme theme, ImGuiStyle& style) {
   ImVec4* colors = style.Colors;

@@ -22,7 +22,7 @@ std::shared_ptr<const InkSheet> UseLetters(double scale);
 ///   scale   pixels per unit of length
 LetterSize LettersOfLabels(double scale);
 
-/// Writes labels behind all panels, each over a ground of the theme, from where they say to where they end.
+/// Writes labels behind all panels, each at its position, over a background of the theme.
 void DrawLabels(std::span<const Label> labels, double scale, PanelTheme theme);
 
 }  // namespace ray

@@ -105,8 +105,8 @@ constexpr std::pair<ImGuiKey, Key> key_names[] = {
     {ImGuiKey_Z, Key::z},
 };
 
-/// Panels by Dear ImGui, in a context of their own. A frame is made for every event, so that what it leads to does not
-/// depend on when something is drawn.
+/// Panels by Dear ImGui, in a context of their own. A frame is made for every event, so that its effects do not
+/// depend on the times of drawings.
 class ImGuiPanels : public Panels {
  public:
   ImGuiPanels() : context_(ImGui::CreateContext()) {
@@ -305,12 +305,12 @@ class ImGuiPanels : public Panels {
                                                                                  : ImGuiMouseButton_Middle);
     if (event.is_pressed) {
       if (holder_ == Holder::viewer) return false;
-      MakeFrame(viewer);                // where things are by now
-      Point(event.x, event.y, viewer);  // what is below it takes the press
+      MakeFrame(viewer);                // of the current positions
+      Point(event.x, event.y, viewer);  // the item below it takes the press
       if (holder_ == Holder::nobody) holder_ = io.WantCaptureMouse ? Holder::panels : Holder::viewer;
     }
     if (holder_ == Holder::viewer) {
-      // A click into the image ends what is being entered, and leaves nothing below the pointer.
+      // A click into the image ends any text entry, and leaves nothing below the pointer.
       if (event.is_pressed) ImGui::ClearActiveID();
       if (!event.is_pressed) holder_ = Holder::nobody;
       io.MousePos = {nowhere, nowhere};
@@ -443,7 +443,7 @@ class ImGuiPanels : public Panels {
     ImGui::End();
   }
 
-  /// Adds what is drawn until EndText to text_, if it is wanted.
+  /// Adds text drawn until EndText to text_, if it is wanted.
   void BeginText() const {
     if (wants_text_) ImGui::LogToBuffer(0);
   }
@@ -462,8 +462,8 @@ class ImGuiPanels : public Panels {
   PanelSettings look_;
   double screen_ = 1;  // pixels per unit of length
   bool is_dressed_ = false, wants_text_ = false, has_new_parts_ = false;
-  bool ignores_text_ = false;       // that of the key which opened the help
-  std::optional<float> scroll_;     // of the column, where that is set
+  bool ignores_text_ = false;    // that of the key which opened the help
+  std::optional<float> scroll_;  // of the column, where that is set
   float farthest_scroll_ = 0;
   float passed_ = 0;                // seconds since the last frame
   std::set<Key> keys_down_;         // of those that panels have got

@@ -25,7 +25,7 @@ struct PanelParts {
 };
 
 enum class PanelTheme { dark, light };
-inline constexpr double smallest_letters = 0.75, largest_letters = 3;  // times the usual: still read, and still useful
+inline constexpr double smallest_letters = 0.75, largest_letters = 3;  // times the usual size
 
 /// The preferences of a user.
 struct PanelSettings {
@@ -35,14 +35,14 @@ struct PanelSettings {
   friend bool operator==(const PanelSettings&, const PanelSettings&) = default;
 };
 
-/// All that is written: labels; if they are shown, a column next to the image with facts about the scene and its
-/// rays, and what can be chosen, and a status bar above it; and the help. What they show depends on the events and on
+/// All text of the viewer: labels; if they are shown, a column next to the image with facts and choices about the
+/// scene and its rays, and a status bar above it; and the help. What they show depends on the events and on
 /// the viewer alone, never on how often they are drawn.
 class Panels {
  public:
   virtual ~Panels() = default;
   /// Returns true if they keep the event from the viewer: of the pointer if it is over them; of keys while text is
-  /// being entered. What is asked of the viewer is done before this returns.
+  /// being entered. The viewer's requests are carried out before this returns.
   virtual bool Take(const Event& event, ViewerState& viewer) = 0;
   /// Sets the parts that are shown. If there are fewer, keys and buttons are released, and text entry ends.
   virtual void SetParts(const PanelParts& parts) = 0;
@@ -56,7 +56,7 @@ class Panels {
   virtual std::shared_ptr<const PanelDrawing> Draw(ViewerState& viewer, const std::vector<Label>& labels) = 0;
   /// Returns their text, in lines, even if scrolled out of sight; for scripts.
   virtual std::string Text(ViewerState& viewer) = 0;
-  /// Scrolls what has a name that begins so into view. Returns whether there is any.
+  /// Scrolls the first item whose name begins with this into view. Returns false if there is none.
   virtual bool Reveal(ViewerState& viewer, const std::string& name) = 0;
   /// Returns the items that take clicks, as last drawn.
   virtual const std::vector<PanelItem>& Items() const = 0;

@@ -11,9 +11,9 @@
 namespace ray {
 namespace {
 
-constexpr float bar_letters = 10;  // of the bar of what is done
+constexpr float bar_letters = 10;  // of the progress bar
 
-/// Returns a name of at most so many letters: a longer one without its middle.
+/// Returns a name of at most that many letters: a longer one without its middle.
 ///   text   UTF-8
 std::string Shortened(const std::string& text, std::size_t most) {
   if (CountLetters(text) <= most) return text;

@@ -10,7 +10,7 @@
 
 namespace ray {
 
-/// A tree of which only open parts are listed, and only what is seen of the list is drawn: trees may have a million
+/// A tree of which only open parts are listed, and only visible rows are drawn: trees may have a million
 /// nodes. Nodes are numbers.
 class Tree {
  public:

@@ -20,7 +20,7 @@ bool Section(PanelFrame& frame, const char* name, bool is_open_at_first = false)
   return is_open;
 }
 
-/// The next widget, with this label, goes next to the last one if there is room for it.
+/// Places the next widget, with this label, next to the last one if there is room for it.
 void Beside(const char* label) {
   const float square_and_gaps = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;  // of a check box
   ImGui::SameLine();
@@ -137,7 +137,7 @@ class EditPanel : public Panel {
       frame.Ask([material, name = std::string(text.data())](ViewerState& v) { v.editor.SetTexture(material, name); });
   }
 
-  /// Draws what a statement of its own says about a material, or a button for one.
+  /// Draws the fields of a separate statement about a material, or a button that adds one.
   static void DrawMore(PanelFrame& frame, std::size_t material, const std::string& command, FieldWidgets& fields) {
     ImGui::PushID(command.c_str());
     if (const auto about = AboutMaterial(frame.viewer.scene.Loaded().places, material, command))

@@ -18,7 +18,7 @@ void DrawPlace(const SceneError& error, std::size_t number) {
   const std::size_t before = margin.size() + (error.column > 0 ? error.column - 1 : 0);
   const std::string caret =
       std::string(before, ' ') + "^" + std::string(std::max<std::size_t>(error.length, 1) - 1, '~');
-  constexpr int lines = 3;  // both, and the scroll bar of what is wider than the panel
+  constexpr int lines = 3;  // both, and the scroll bar of a line that is wider than the panel
   ImGui::BeginChild(static_cast<ImGuiID>(number + 1), {0, lines * ImGui::GetTextLineHeightWithSpacing()}, false,
                     ImGuiWindowFlags_HorizontalScrollbar);
   ImGui::TextUnformatted((margin + line).c_str());

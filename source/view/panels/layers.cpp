@@ -41,7 +41,7 @@ void DrawBar(const ColorAt& color_at, const std::string& low, const std::string&
   ImGui::TextUnformatted(high.c_str());
 }
 
-/// The nearest and the farthest depth of what was hit; nothing if nothing was.
+/// Returns the nearest and the farthest depth of all hits; std::nullopt without hits.
 std::optional<std::pair<double, double>> DepthsOf(const R2::Image& image) {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
   for (const float depth : image.Channels())

@@ -6,7 +6,7 @@
 #include "source/view/commands/Commands.h"
 #include "source/view/panels/Panel.h"
 
-// Options of the program, changed while it runs, and the command that renders what is seen.
+// Options of the program, changed while it runs, and the command that renders the view.
 namespace ray {
 namespace {
 

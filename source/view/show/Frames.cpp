@@ -26,7 +26,7 @@ void ShowTrace(const TracedImages& traced, FrameState::ShownImage& image) {
   image.rows = traced.Trace()->RowsDone();
 }
 
-/// The image of key S where it hangs in space; nothing where it does not.
+/// Returns the image of key S in space; std::nullopt if it is not there.
 std::optional<FrameState::ShownImage> QuadInSpace(const ViewerState& viewer, const Exposure& exposure) {
   const auto quad = viewer.Quad();
   if (!quad) return {};
@@ -39,7 +39,7 @@ std::optional<FrameState::ShownImage> QuadInSpace(const ViewerState& viewer, con
   return image;
 }
 
-/// The image that covers the view, live or flat; nothing where none does.
+/// Returns the image that covers the view, live or flat; std::nullopt if none does.
 std::optional<FrameState::ShownImage> CoveringImage(const ViewerState& viewer) {
   FrameState::ShownImage image;
   image.exposure = {R1::Exp2(viewer.exposure_steps), viewer.settings.render.srgb, viewer.settings.render.quantization};

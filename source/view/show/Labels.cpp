@@ -54,7 +54,7 @@ void AddValuesOfPixels(const ViewerState& viewer, std::vector<Label>& labels, co
     }
 }
 
-/// The sides of the flat image's slider, and what its pixels are.
+/// Adds the values of pixels, and labels to both sides of the flat image's slider.
 void AddLabelsOfFlat(const ViewerState& viewer, std::vector<Label>& labels, const LetterSize& letters) {
   if (!viewer.FlatJob() || viewer.traced.HowCompared() != TracedImages::Comparing::no) return;
   const DrawingSize view = viewer.layout().view;
@@ -70,7 +70,7 @@ void AddLabelsOfFlat(const ViewerState& viewer, std::vector<Label>& labels, cons
   }
 }
 
-/// Names what the preview does not show of the camera; empty if it shows all.
+/// Returns a note if the preview does not show the projection of the camera; empty if it does.
 std::string TextOfProjection(const ViewerState& viewer) {
   const Camera& camera = viewer.navigator.camera();
   if (camera.IsPinhole() || viewer.flat.IsShown() || viewer.traced.IsLive()) return {};
