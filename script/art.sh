@@ -6,7 +6,7 @@
 #     script/art.sh [-small] [name ...]
 #
 # Without names, all of them. -small writes a preview of 480x270 with a quarter of the samples to build/art instead.
-# RAYPRO and RAYIMG name the programs. Each picture records the command that made it: raypro -info art/glass.jpg.
+# RAYPRO and RAYIMG name the programs. Each image records the command that made it: raypro -info art/glass.jpg.
 set -eu
 cd "$(dirname "$0")/.."
 raypro=${RAYPRO:-build/raypro}
@@ -21,7 +21,7 @@ for name in "$@"; do
   case $name in
     bearing) samples=24 options="-denoise -max_depth 6 -aperture 0.07 -focus 10.9" parts= ;;
     chess) samples=48 options="-denoise -max_depth 6 -aperture 0.06 -focus 10.5" parts="glass chess" ;;
-    cornell) samples=128 options="-denoise -fresnel -max_depth 12" parts= size="-width 1080 -height 1080" ;;
+    cornell) samples=512 options="-denoise -fresnel -max_depth 12" parts= size="-width 1080 -height 1080" ;;
     cradle) samples=64 options="-denoise -max_depth 6 -aperture 0.05 -focus 11.3 -clamp samples" parts="glass cradle" ;;
     glass) samples=96 options="-denoise -fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass ;;
     library) samples=48 options="-denoise -max_depth 8" parts=library ;;

@@ -113,7 +113,7 @@ awk -v width=512 -v height=512 '
         printf "%d %d %d\n", 205 * tone, 140 * tone, 88 * tone
       }
   }' > "$work/wood.ppm"
-# The picture keeps the command that made it: without a temporary folder in it, its bytes stay the same.
+# The image keeps the command that made it: without a temporary folder in it, its bytes stay the same.
 case $rayimg in /*) ;; *) rayimg=$PWD/$rayimg ;; esac
 (cd "$work" && "$rayimg" convert wood.ppm wood.jpg -jpeg_quality 85)
 cp "$work/wood.jpg" "$out/wood.jpg"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the environments of the pictures in art/: art/light/*.hdr, latitude-longitude maps of light.
+# Makes the environments of the images in art/: art/light/*.hdr, latitude-longitude maps of light.
 # Rows are of one color but for the lamps: such rows take few bytes in an .hdr, so the maps can be wide and sharp.
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
@@ -39,10 +39,10 @@ make_map() {
 
 # A room in the evening: a wide window of six panes to the left, a warm, faint lamp to the right, and small lights far
 # behind what is looked at, which a lens makes discs of.
-make_map window 512 '
+make_map window 640 '
   function spark(at, up, red, green, blue,   x, y) {
     x = lon - at; y = lat - up
-    lamp(x * x + y * y < 0.55 ? 1 : 0, red, green, blue)
+    lamp(between(sqrt(x * x + y * y), -1, 0.74, 0.3), red, green, blue)
   }
   function radiance(   up, pane, i) {
     up = (lat + 90) / 180

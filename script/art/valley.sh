@@ -232,7 +232,7 @@ awk 'BEGIN {
     }
 }' > "$work/ripples.ppm"
 
-# The pictures keep the command that made them: without a temporary folder in it, their bytes stay the same.
+# The images keep the command that made them: without a temporary folder in it, their bytes stay the same.
 case $rayimg in /*) ;; *) rayimg=$PWD/$rayimg ;; esac
 for name in land sky ripples; do
   (cd "$work" && "$rayimg" convert $name.ppm $name.jpg -jpeg_quality 85)
