@@ -24,7 +24,7 @@ for name in "$@"; do
     cornell) samples=512 options="-denoise -fresnel -max_depth 12" parts= size="-width 1080 -height 1080" ;;
     cradle) samples=64 options="-denoise -max_depth 6 -aperture 0.05 -focus 11.3 -clamp samples" parts="glass cradle" ;;
     glass) samples=96 options="-denoise -fresnel -max_depth 12 -aperture 0.12 -focus 10.2" parts=glass ;;
-    library) samples=48 options="-denoise -max_depth 8" parts=library ;;
+    library) samples=96 options="-denoise -max_depth 8" parts=library ;;
     orrery) samples=64 options="-max_depth 4 -clamp samples -error 2" parts=orrery ;;
     valley) samples=32 options="-max_depth 3" parts=valley ;;
     *) echo "unknown image '$name'; images are bearing, chess, cornell, cradle, glass, library, orrery, valley" >&2; exit 2 ;;
