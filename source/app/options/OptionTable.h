@@ -146,7 +146,6 @@ void Store(const OptionKind& option, std::span<const std::string> words, Options
 /// Returns the minimum number of words after the option. MostArguments returns the maximum.
 std::size_t FewestArguments(const OptionKind& option);
 std::size_t MostArguments(const OptionKind& option);
-bool MayBeRepeated(const OptionKind& option);
 
 /// Returns the allowed values: "1..1073741824 pixels", "on or off"; empty if anything, or nothing, is allowed.
 std::string Range(const OptionKind& option);

@@ -176,8 +176,6 @@ std::size_t FewestArguments(const OptionKind& option) {
   return request && request->takes_subject == Request::perhaps ? 0 : option.arguments.size();
 }
 
-bool MayBeRepeated(const OptionKind& option) { return std::holds_alternative<Repeated>(option.value); }
-
 bool IsSetting(const OptionKind& option) {
   return !std::holds_alternative<Request>(option.value) && !std::holds_alternative<PixelRequest>(option.value);
 }
