@@ -103,6 +103,17 @@ class Site:
         file.write_text(text)
 
 
+def size_of_jpeg(file):
+    """Width and height as attributes, which keep a place for the image (ITU-T T.81, B.2.2: the frame header)."""
+    data, at = file.read_bytes(), 2
+    if data[:2] != b"\xff\xd8":
+        sys.exit(f"site.py: {file} is not a JPEG")
+    number = lambda place: int.from_bytes(data[place:place + 2], "big")
+    while data[at + 1] not in (0xC0, 0xC2):
+        at += 2 + number(at + 2)
+    return f'width="{number(at + 7)}" height="{number(at + 5)}"'
+
+
 class Markdown:
     """The Markdown of this tree: headings, paragraphs, lists, tables, code, images, links, bold and code words."""
 
@@ -143,7 +154,10 @@ class Markdown:
 
     def image(self, found):
         goal = self.site.link(found[2], self.source, self.target)
-        return f'<img src="{goal}" alt="{html.escape(found[1])}">' if goal else html.escape(found[1])
+        if not goal:
+            return html.escape(found[1])
+        size = size_of_jpeg(pathlib.Path(self.source).parent / found[2])
+        return f'<img src="{goal}" {size} alt="{html.escape(found[1])}">'
 
     def anchor(self, found):
         goal = self.site.link(found[2], self.source, self.target)
@@ -221,7 +235,6 @@ class Markdown:
         body = "\n".join(cells(row, "td") for row in rows[2:])
         return (f'<div class="scroll" tabindex="0"><table><thead>{cells(rows[0], "th")}</thead><tbody>\n'
                 f'{body}</tbody></table></div>')
-
 
     def cards(self, heads, rows):
         """Makes figures, which fit any width, of a table of images. An image leads to its scene, or to itself."""

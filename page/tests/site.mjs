@@ -34,7 +34,7 @@ test("every link leads to a place in the site", () => {
     }
 });
 
-test("pages have titles, and images say what they show", () => {
+test("pages have titles; images have words and sizes", () => {
   const titles = pages.map((page) => textOf(page).match(/<title>([^<]+)<\/title>/)?.[1]);
   assert(titles.every((title) => title));
   assert.deepEqual(
@@ -42,7 +42,10 @@ test("pages have titles, and images say what they show", () => {
     [],
   );
   for (const page of pages)
-    for (const [image] of all(/<img [^>]*>/g, textOf(page))) assert.match(image, /alt="[^"]+"/, page);
+    for (const [image] of all(/<img [^>]*>/g, textOf(page))) {
+      assert.match(image, /alt="[^"]+"/, page);
+      assert.match(image, /width="\d+" height="\d+"/, page);
+    }
 });
 
 test("nearly every rendered image of the writeup can be edited", () => {
