@@ -90,6 +90,7 @@ test("three engines render what one does", async () => {
     ["-filter", "gaussian", "-samples", "4"],
     ["-error", "8", "-mode", "path"],
     ["-denoise", "-samples", "4", "-mode", "path"],
+    ["-share", "on", "-samples", "4", "-mode", "path"],
     ["-adaptive", "neighbors", "-samples", "9"],
     ["-mode", "depth"],
   ])
