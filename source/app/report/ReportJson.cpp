@@ -42,8 +42,8 @@ std::span<const ReportField> ReportFields() {
       {"samples",
        "least, most and mean per pixel; two_streams; shared_light (see -share); planned_samples (what strata "
        "and camera rays are laid out for); of_blocks (per pixel and stream, of each block of 8x8 pixels in rows "
-       "from the bottom; empty if all are equal); places_of_blocks (of blocks without samples, how many of their 64 places"
-       " were traced; empty if all have samples)"},
+       "from the bottom; empty if all are equal); places_of_blocks (of blocks without samples, how many of their 64 "
+       "places were traced; empty if all have samples)"},
       {"error",
        "estimate, low, high, unit; method (\"two streams\": unbiased; \"two streams, denoised\"; \"halves\":"
        " an upper bound); worst_block (error, at); freedom (degrees of freedom); outlier_share; unseen_share"

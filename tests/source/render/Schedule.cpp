@@ -24,9 +24,15 @@ RenderSettings UpTo(int samples) {
 }
 
 /// Returns settings with a target of 1 in the scene's units, so that squared errors are in squares of the target.
-RenderSettings ToErrorOne(int samples = 1) {
+RenderSettings ToErrorOne(int samples = 1, double seconds = 0) {
   RenderSettings settings = UpTo(samples);
+  settings.budget.seconds = seconds;
   settings.budget.error = ErrorTarget{1, ErrorUnit::linear};
+  return settings;
+}
+
+RenderSettings Allotting(Adaptive adaptive, RenderSettings settings) {
+  settings.budget.adaptive = adaptive;
   return settings;
 }
 
@@ -210,9 +216,7 @@ TEST(Schedule, PassesEndAtQuartersOfTheLastPowerOfTwo) {
 }
 
 TEST(Schedule, TooFewSamplesDecideNothingByTheirError) {
-  RenderSettings settings = ToErrorOne();
-  settings.budget.seconds = 1e6;
-  Schedule schedule = Sampling(settings);
+  Schedule schedule = Sampling(ToErrorOne(1, 1e6));
   for (const std::uint32_t end : {1u, 2u}) {
     EXPECT_EQ(schedule.State().end, end);
     EXPECT_FALSE(schedule.Next(Found(0)));
@@ -230,14 +234,12 @@ TEST(Schedule, AFirstErrorMustMeetTheTargetWithDoubledSquare) {
 
 // Coarse targets are met by four samples of each stream; finer ones would change if anything else were decided there.
 TEST(Schedule, AFirstErrorThatIsTooLargeLeavesNoTrace) {
-  RenderSettings settings = ToErrorOne();
-  settings.budget.seconds = 1e6;
-  Schedule looks = Sampling(settings);
+  Schedule looks = Sampling(ToErrorOne(1, 1e6));
   for (const std::uint32_t end : {1u, 2u, 4u}) {
     EXPECT_EQ(looks.State().end, end);
     EXPECT_FALSE(looks.Next(Found(1.1)));
   }
-  const Schedule without = Deciding(settings);
+  const Schedule without = Deciding(ToErrorOne(1, 1e6));
   EXPECT_EQ(looks.State().targets, without.State().targets);
 }
 
@@ -245,19 +247,16 @@ TEST(Schedule, AFirstErrorThatIsTooLargeLeavesNoTrace) {
 TEST(Schedule, NoisyBlocksContinueWithTheirNeighbors) {
   Schedule schedule = Deciding(ToErrorOne());
   ASSERT_FALSE(schedule.Next(FoundInCorner(40, 0.1)));
-  for (int i = 0; i < blocks; ++i) {
+  for (std::size_t i = 0; i < blocks; ++i) {
     const bool is_beside_corner = i % columns <= 1 && i / columns <= 1;
-    EXPECT_EQ(schedule.State().targets.samples[static_cast<std::size_t>(i)], is_beside_corner ? schedule.State().end : 8u)
-        << i;
+    EXPECT_EQ(schedule.State().targets.samples[i], is_beside_corner ? schedule.State().end : 8u) << i;
   }
 }
 
 /// Renders an image of which a row of blocks is noisier than the others, to a squared error of 1. Squared errors are
 /// variances over samples. Returns the samples of all blocks, per stream.
 Samples SamplesToErrorOne(Adaptive adaptive, double variance, double noisier) {
-  RenderSettings settings = ToErrorOne();
-  settings.budget.adaptive = adaptive;
-  Schedule schedule = Deciding(settings);
+  Schedule schedule = Deciding(Allotting(adaptive, ToErrorOne()));
   const auto measure = [&] {
     std::vector<double> squares;
     for (const std::uint32_t samples : schedule.State().targets.samples)
@@ -274,7 +273,7 @@ TEST(Schedule, SamplesAreNearlyAsFewAsTheBestAllocation) {
   const double variance = 20, noisier = 400, rows = columns;
   const double mean_deviation = std::sqrt(variance) * (1.5 * std::sqrt(noisier) + rows - 2) / rows;
   const double best = mean_deviation * mean_deviation;
-  const auto mean = [](const Samples& samples) { return std::accumulate(samples.begin(), samples.end(), 0.0) / blocks; };
+  const auto mean = [](const Samples& all) { return std::accumulate(all.begin(), all.end(), 0.0) / blocks; };
   const Samples adaptive = SamplesToErrorOne(Adaptive::tile, variance, noisier);
   EXPECT_LT(mean(adaptive), 1.5 * best);
   EXPECT_GT(mean(SamplesToErrorOne(Adaptive::off, variance, noisier)), 2 * best);
@@ -284,10 +283,10 @@ TEST(Schedule, SamplesAreNearlyAsFewAsTheBestAllocation) {
 /// Returns the blocks that gain samples; those of a square must gain equally many.
 int GainsOfSquares(const BlockGrid& grid, const Samples& before, const Samples& after) {
   int gaining = 0;
-  for (int i = 0; i < blocks; ++i) {
-    const int side = grid.together, row = i / columns / side * side, column = i % columns / side * side;
-    EXPECT_EQ(after[static_cast<std::size_t>(i)], after[static_cast<std::size_t>(row * columns + column)]);
-    gaining += after[static_cast<std::size_t>(i)] > before[static_cast<std::size_t>(i)];
+  const auto side = static_cast<std::size_t>(grid.together);
+  for (std::size_t i = 0; i < blocks; ++i) {
+    EXPECT_EQ(after[i], after[i / columns / side * side * columns + i % columns / side * side]);
+    gaining += after[i] > before[i];
   }
   return gaining;
 }
@@ -308,9 +307,7 @@ TEST(Schedule, SquaresOfBlocksThatShareLightContinueTogether) {
 }
 
 TEST(Schedule, WithoutAdaptiveSamplingEveryBlockContinues) {
-  RenderSettings settings = ToErrorOne();
-  settings.budget.adaptive = Adaptive::off;
-  Schedule schedule = Deciding(settings);
+  Schedule schedule = Deciding(Allotting(Adaptive::off, ToErrorOne()));
   for (const std::uint32_t end : {8u, 16u, 32u, 64u}) {
     EXPECT_EQ(schedule.State().targets.samples, AllAt(end));
     ASSERT_FALSE(schedule.Next(FoundInCorner(1000, 0.1)));
@@ -406,9 +403,7 @@ TEST(Schedule, ManyMachinesGoAsFarAsTheirPaceAllows) {
   EXPECT_FALSE(many.Next(pass));
   // They get 0.6 of the 96 seconds that are left until 97% of the time, at a second per sample, after the existing one.
   EXPECT_EQ(many.State().targets, PassTargets{AllAt(58)});
-  RenderSettings to_error = ToErrorOne();
-  to_error.budget.seconds = 100;
-  Schedule with_error = Sampling(to_error);
+  Schedule with_error = Sampling(ToErrorOne(1, 100));
   EXPECT_FALSE(with_error.Next(pass));
   EXPECT_EQ(with_error.State().end, 2u) << "errors decide at samples that double";
 }
@@ -500,9 +495,7 @@ TEST(Schedule, AStalledErrorEndsARenderWithoutOtherLimits) { EXPECT_EQ(EndOfStal
 
 TEST(Schedule, AStalledErrorEndsNoRenderWithOtherLimits) {
   EXPECT_EQ(EndOfStalled(ToErrorOne(1 << 20)), std::nullopt);
-  RenderSettings settings = ToErrorOne();
-  settings.budget.seconds = 1000;
-  EXPECT_EQ(EndOfStalled(settings), std::nullopt);
+  EXPECT_EQ(EndOfStalled(ToErrorOne(1, 1000)), std::nullopt);
 }
 
 /// Returns a pass in which neighbors differ by that many levels, in the block in the corner alone.
@@ -514,8 +507,7 @@ PassOutcome UnlikeInCorner(double levels) {
 }
 
 TEST(Schedule, OfNeighborsGivesDifferingBlocksAllSamplesAtOnce) {
-  RenderSettings settings = UpTo(9);
-  settings.budget.adaptive = Adaptive::neighbors;
+  const RenderSettings settings = Allotting(Adaptive::neighbors, UpTo(9));
   Schedule schedule(settings, Grid(), false);
   EXPECT_FALSE(schedule.LooksAtContrast());
   EXPECT_FALSE(schedule.Next(quick_look));
@@ -534,11 +526,9 @@ TEST(Schedule, OfNeighborsGivesDifferingBlocksAllSamplesAtOnce) {
 }
 
 TEST(Schedule, OfNeighborsResumesTheSameBlocksWithMoreSamples) {
-  RenderSettings settings = UpTo(9);
-  settings.budget.adaptive = Adaptive::neighbors;
   Samples corner = AllAt(1);
   corner[0] = 4;
-  Schedule schedule(settings, Grid(), false);
+  Schedule schedule(Allotting(Adaptive::neighbors, UpTo(9)), Grid(), false);
   schedule.Resume({.targets = {corner}, .end = 4});
   EXPECT_FALSE(schedule.Next(UnlikeInCorner(0)));
   corner[0] = 9;
@@ -546,13 +536,10 @@ TEST(Schedule, OfNeighborsResumesTheSameBlocksWithMoreSamples) {
 }
 
 TEST(Schedule, OfNeighborsIsOffForBudgetsAndCostModes) {
-  RenderSettings settings = ToErrorOne(9);
-  settings.budget.adaptive = Adaptive::neighbors;
-  Schedule to_error(settings, Grid(), false);
+  Schedule to_error(Allotting(Adaptive::neighbors, ToErrorOne(9)), Grid(), false);
   EXPECT_FALSE(to_error.Next(quick_look));
   EXPECT_FALSE(to_error.LooksAtContrast());
-  settings = UpTo(9);
-  settings.budget.adaptive = Adaptive::neighbors;
+  RenderSettings settings = Allotting(Adaptive::neighbors, UpTo(9));
   settings.mode = RenderMode::heat;
   EXPECT_EQ(Schedule(settings, Grid(), false).State().targets.samples, AllAt(9));
 }

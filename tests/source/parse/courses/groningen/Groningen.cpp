@@ -11,10 +11,10 @@
 namespace ray {
 namespace {
 
-/// Returns a scene in the JSON form, which every build reads; single quotes stand for double ones.
-ParsedScene Groningen(std::string json) {
+/// Returns a scene in the JSON form, which every build reads, next to the files of a folder; single quotes stand for
+/// double ones.
+ParsedScene Groningen(std::string json, const Folder& folder = {}) {
   std::replace(json.begin(), json.end(), '\'', '"');
-  const Folder folder;
   ParseOptions options;
   options.format = "groningen";
   return Parse(folder.Write("scene.json", json), options);
@@ -487,15 +487,12 @@ TEST(Groningen, BadDistancesAreNoErrorWhenUnused) {
 TEST(Groningen, MeshesAreFoundWithoutTheirExtensionAndPlaced) {
   const Folder folder;
   folder.Write("flag.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  ParseOptions options;
-  options.format = "groningen";
-  for (const char* key : {"file", "filename", "fileName", "path", "model", "modelPath", "name"}) {
-    const auto file = folder.Write(
-        "scene.json",
-        "{\"Eye\": [0, 0, 9], \"Objects\": [{\"type\": \"mesh\", \"" + std::string(key) +
-            "\": \"flag\", \"scale\": [4, 2, 1], \"position\": [10, 0, 0], \"rotation\": [0, 0, 1.5707963267948966], "
-            "\"material\": {\"color\": [1, 1, 1]}}]}");
-    const Scene scene = Parse(file, options).scene;
+  for (const std::string key : {"file", "filename", "fileName", "path", "model", "modelPath", "name"}) {
+    const Scene scene = Groningen("{'Eye': [0, 0, 9], 'Objects': [{'type': 'mesh', '" + key +
+                                      "': 'flag', 'scale': [4, 2, 1], 'position': [10, 0, 0], 'rotation': "
+                                      "[0, 0, 1.5707963267948966], 'material': {'color': [1, 1, 1]}}]}",
+                                  folder)
+                            .scene;
     EXPECT_TRUE(Trace(scene, {{9.5, 2, 9}, {0, 0, -1}})) << key;
     EXPECT_FALSE(Trace(scene, {{10.5, 1, 9}, {0, 0, -1}})) << key;
     EXPECT_EQ(scene.files.size(), 2u);
@@ -505,12 +502,10 @@ TEST(Groningen, MeshesAreFoundWithoutTheirExtensionAndPlaced) {
 TEST(Groningen, SizedMeshesAreCenteredAndSpanTwiceTheirSize) {
   const Folder folder;
   folder.Write("flag.obj", "v 10 0 0\nv 14 0 0\nv 10 2 0\nv 14 2 0\nf 1 2 4 3\n");
-  ParseOptions options;
-  options.format = "groningen";
-  const auto file =
-      folder.Write("scene.json", R"({"Eye": [0, 0, 9], "Objects": [{"type": "mesh", "file": "flag", "size": 50, )"
-                                 R"("position": [7, 0, 0], "material": {"color": [1, 1, 1]}}]})");
-  const Scene scene = Parse(file, options).scene;
+  const Scene scene = Groningen("{'Eye': [0, 0, 9], 'Objects': [{'type': 'mesh', 'file': 'flag', 'size': 50, "
+                                "'position': [7, 0, 0], 'material': {'color': [1, 1, 1]}}]}",
+                                folder)
+                          .scene;
   for (const double sign : {-1.0, 1.0}) {  // 100 wide, 50 high
     EXPECT_TRUE(Trace(scene, {{7 + sign * 49.9, 0, 9}, {0, 0, -1}}));
     EXPECT_FALSE(Trace(scene, {{7 + sign * 50.1, 0, 9}, {0, 0, -1}}));
@@ -523,12 +518,10 @@ TEST(Groningen, MeshesMayHaveFileMaterialsAndComputedNormals) {
   const Folder folder;
   folder.Write("roof.mtl", "newmtl red\nKd 1 0 0\n");
   folder.Write("roof.obj", "mtllib roof.mtl\nv 0 0 0\nv 1 0 0.1\nv 1 1 0.1\nv 2 0 0\nf 1 2 3\nusemtl red\nf 2 4 3\n");
-  ParseOptions options;
-  options.format = "groningen";
-  const auto file = folder.Write(
-      "scene.json", R"({"Eye": [0, 0, 9], "Objects": [{"type": "mesh", "file": "roof", "materials": true, )"
-                    R"("smooth_angle": 40, "material": {"color": [0, 0, 1], "kd": 1}}]})");
-  const ParsedScene parsed = Parse(file, options);
+  const ParsedScene parsed = Groningen(
+      "{'Eye': [0, 0, 9], 'Objects': [{'type': 'mesh', 'file': 'roof', 'materials': true, 'smooth_angle': 40, "
+      "'material': {'color': [0, 0, 1], 'kd': 1}}]}",
+      folder);
   EXPECT_TRUE(parsed.warnings.empty());
   const auto& group = parsed.scene.root.children.at(0);
   ASSERT_EQ(group.children.size(), 2u);
@@ -552,12 +545,10 @@ TEST(Groningen, MeshesMayHaveFileMaterialsAndComputedNormals) {
 TEST(Groningen, AMeshMayHaveANameAndAFile) {
   const Folder folder;
   folder.Write("flag.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  ParseOptions options;
-  options.format = "groningen";
-  const auto file = folder.Write(
-      "scene.json", R"({"Eye": [0, 0, 9], "Objects": [{"type": "mesh", "name": "a flag", "file": "flag", "material": )"
-                    R"({"color": [1, 1, 1]}}]})");
-  const ParsedScene parsed = Parse(file, options);
+  const ParsedScene parsed = Groningen(
+      "{'Eye': [0, 0, 9], 'Objects': [{'type': 'mesh', 'name': 'a flag', 'file': 'flag', 'material': "
+      "{'color': [1, 1, 1]}}]}",
+      folder);
   EXPECT_TRUE(Trace(parsed.scene, {{0.25, 0.25, 9}, {0, 0, -1}}));
   for (const std::string& warning : parsed.warnings) EXPECT_FALSE(Contains(warning, "name")) << warning;
 }
@@ -567,12 +558,10 @@ TEST(Groningen, MeshesMayBeNamedThroughTheParentFolder) {
   const Folder folder;
   const std::filesystem::path mesh = folder.Write("flag.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const std::string name = "../" + mesh.parent_path().filename().string() + "/flag.obj";
-  ParseOptions options;
-  options.format = "groningen";
-  const auto file =
-      folder.Write("scene.json", "{\"Eye\": [0, 0, 9], \"Objects\": [{\"type\": \"mesh\", \"filename\": \"" + name +
-                                     "\", \"material\": {\"color\": [1, 1, 1]}}]}");
-  EXPECT_TRUE(Trace(Parse(file, options).scene, {{0.25, 0.25, 9}, {0, 0, -1}}));
+  const ParsedScene parsed = Groningen("{'Eye': [0, 0, 9], 'Objects': [{'type': 'mesh', 'filename': '" + name +
+                                           "', 'material': {'color': [1, 1, 1]}}]}",
+                                       folder);
+  EXPECT_TRUE(Trace(parsed.scene, {{0.25, 0.25, 9}, {0, 0, -1}}));
 }
 
 TEST(Groningen, BothFormsOfASceneAreTheSame) {
